@@ -187,9 +187,11 @@ def line_style(line: Line, thin: bool = False, as_counted: bool = False) -> dict
 
 
 def _own_ids(text: str, name: str) -> str:
-    """The SVG element alone, its ids prefixed, its numbers short; none for texts and ticks, to which nothing refers."""
+    """The SVG element alone, its ids prefixed, its numbers short; of lines only those in the legend keep their ids."""
     svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
     svg = re.sub(r'<g id="(?:text|patch|[xy]tick|matplotlib)[^"]*">', "<g>", svg)
+    drawn, legend, explained = svg.partition('<g id="legend')
+    svg = re.sub(r'<g id="line2d[^"]*">', "<g>", drawn) + legend + explained  # nothing refers to a line or a tick
     for number, long in enumerate(re.findall(r'\bid="([mp][0-9a-f]{8,})"', svg)):  # of markers and clips
         svg = svg.replace(long, f"m{number}")
     svg = compact(_without_second_styles(svg))

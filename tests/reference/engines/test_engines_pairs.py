@@ -58,17 +58,19 @@ def test_the_grid_holds_every_family_and_every_scenario_of_this_suite():
 ORDERED = ("dropped-ball", "corner", "cradle", "stack")
 
 
-def leaves_much(cell: Cell) -> bool:
-    """Whether the order of the sweeps decides what a light ball between heavy ones is left with.
-
-    It is ten times lighter, so that what a solver leaves between them throws it about. Only the tuned engines sweep on
-    until nothing is left.
-    """
-    return cell.scenario == "mass-ratios" and cell.profile != "tuned"
+LIGHT_BALL = "mass-ratios"
+"""A ball between two that are 1000 and 300 times as heavy: every turn of a solver carries little through it."""
+FEW_TURNS = {("handwritten", WORLD), ("pybullet", "stock")}
+"""Who stops so early that the order of the bodies decides what is left; the test below says how much that may be."""
 
 
 @fast_and_slow(
-    [cell for cell in CELLS if cell.scenario in catalogue() and not leaves_much(cell)],
+    [
+        cell
+        for cell in CELLS
+        if cell.scenario in catalogue()
+        and not (cell.scenario == LIGHT_BALL and (cell.engine, cell.profile) in FEW_TURNS)
+    ],
     lambda cell: (
         counts(cell.profile) and is_often(cell) and cell.scenario in ("dropped-ball", "corner", "cradle", "stack")
     ),
@@ -83,6 +85,39 @@ def test_the_order_of_bodies_and_pairs_does_not_change_a_motion(cell, trajectory
         for other in (swapped, reordered):
             # A solver that visits contacts in another order rounds differently, and steps add that up.
             np.testing.assert_allclose(other.position(body.name), trajectory.position(body.name), atol=near)
+
+
+@pytest.mark.parametrize(
+    ("name", "profile", "option", "turns", "pushed", "parts"),
+    [
+        # By hand the velocities are solved at once, and turns only take back the overlap: a step at 10 m/s, 10 mm.
+        ("handwritten", WORLD, "push_sweeps", 200, 10.0 * 1e-3, 2.9e-3),
+        # Stock, Bullet stops at a velocity that is wrong by a share of 10 m/s, for the rest of the 30 ms.
+        ("pybullet", "stock", "solver_iterations", 50, 10.0 * 0.03, 85.4e-3),
+    ],
+)
+def test_turns_leave_what_they_cannot_carry_through_a_light_ball(
+    name, profile, option, turns, pushed, parts, installed
+):
+    engine, scenario = installed(name), SCENARIOS[LIGHT_BALL]
+    first, middle, last = (1 / body.mass for body in scenario.bodies)
+    # Of two contacts that share a ball, a turn leaves the square of their coupling: 0.9957 here
+    left = (middle**2 / ((first + middle) * (middle + last))) ** turns
+    told = engine.settings(scenario, profile)
+
+    def apart(**changes: float) -> float:
+        settings = replace(told, options={**told.options, **changes})
+        one, other = (
+            engine.run(replace(scenario, bodies=bodies), settings)
+            for bodies in (scenario.bodies, scenario.bodies[::-1])
+        )
+        return max(float(np.abs(one.position(it.name) - other.position(it.name)).max()) for it in scenario.bodies)
+
+    assert apart() == pytest.approx(parts, rel=0.01)  # m, as measured: whatever changes it is to be noticed
+    assert apart() < left * pushed
+    # A hundred times as many turns leave 10⁻³⁸ and less: rounding, and what the tolerance by hand is, 10⁻¹⁰
+    enough = {option: 100 * turns} | ({"solver_residual": 0.0} if name == "pybullet" else {})
+    assert apart(**enough) < 1e-9
 
 
 def unfinished(cell: Cell) -> float:

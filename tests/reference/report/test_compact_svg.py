@@ -38,3 +38,14 @@ def test_groups_without_content_are_removed_and_others_stay():
     assert [group.get("style") for group in root.findall(".//{*}g")] == ["opacity: 1"]
     assert [text.text for text in root.findall(".//{*}text")] == ["two  words"]
     assert root.find("{*}clipPath").get("id") == "clip"
+
+
+def test_markers_of_one_style_have_it_in_their_group_and_others_keep_their_own():
+    def line(*fills: str) -> str:
+        uses = "".join(f'<use href="#m" x="{place}" style="fill: {fill}"/>' for place, fill in enumerate(fills))
+        return f'<g clip-path="url(#c)">{uses}</g>'
+
+    groups = list(ElementTree.fromstring(compact(f"<svg>{line('red', 'red')}{line('red', 'blue')}</svg>")))
+    assert [group.get("style") for group in groups] == ["fill: red", None]
+    assert [[use.get("style") for use in group] for group in groups] == [[None, None], ["fill: red", "fill: blue"]]
+    assert [[use.get("x") for use in group] for group in groups] == [["0", "1"]] * 2

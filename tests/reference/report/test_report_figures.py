@@ -78,6 +78,12 @@ def style(element: ElementTree.Element) -> dict[str, str]:
     return dict(re.findall(r"([\w-]+): ([^;]+)", element.get("style", "")))
 
 
+def markers(axes: ElementTree.Element) -> list[tuple[ElementTree.Element, dict[str, str]]]:
+    """The markers of the lines, each with its style or that of its group; ticks have none."""
+    found = [(use, style(group) | style(use)) for group in axes.iter(f"{SVG}g") for use in group.findall(f"{SVG}use")]
+    return [(use, its) for use, its in found if "fill" in its]
+
+
 def legend(svg: str) -> list[Entry]:
     """What the legend shows: each handle, a piece of the line with its marker, is followed by its text."""
     root = ElementTree.fromstring(svg)
@@ -158,7 +164,7 @@ def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
 def test_the_curves_have_the_markers_that_the_legend_shows(draw):
     root = ElementTree.fromstring(drawn("ball-to-rest", draw))
     (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
-    used = Counter(style(use).get("fill") for use in axes.iter(f"{SVG}use") if "fill" in style(use))
+    used = Counter(its["fill"] for _, its in markers(axes))
     for colour in ("#1b1b1b", "#0072b2", "#d55e00"):  # the tuned ones, whose markers are filled
         assert used[colour] >= 2
 
@@ -243,9 +249,8 @@ def test_errors_of_rounding_are_drawn_on_the_lower_edge():
     root = ElementTree.fromstring(figures.convergence(found))
     (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
     heights: dict[str, list[float]] = {}
-    for use in axes.iter(f"{SVG}use"):
-        if "fill" in style(use):  # a marker; ticks have none
-            heights.setdefault(style(use)["stroke"], []).append(float(use.get("y")))
+    for use, its in markers(axes):
+        heights.setdefault(its["stroke"], []).append(float(use.get("y")))
     flat, *sloped = sorted(heights["#1b1b1b"], reverse=True)[:4], heights["#0072b2"], heights["#d55e00"]
     assert max(flat) == min(flat), "four points in a line, downmost in the picture"
     assert all(max(line) < min(flat) for line in sloped)
