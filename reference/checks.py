@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from types import UnionType
+from typing import Any, get_args
 
 from reference.errors import InvalidInput
 
@@ -79,3 +81,15 @@ def unit_quaternion(name: str, values: Sequence[float]) -> Quaternion:
     if length == 0:
         raise InvalidInput(f"{name} is {values!r}; an orientation must not be zero")
     return w / length, x / length, y / length, z / length
+
+
+def all_of(name: str, values: Iterable[Any], kind: type | UnionType) -> tuple[Any, ...]:
+    """Return the values as a tuple; refuse what holds none, and any that is not of this kind, or of one of these."""
+    of = " or ".join(each.__name__ for each in (get_args(kind) or (kind,)))
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InvalidInput(f"{name} is {values!r}; it must be a tuple, each of them a {of}")
+    found = tuple(values)
+    for place, value in enumerate(found):
+        if not isinstance(value, kind):
+            raise InvalidInput(f"{_called(name, place)} is {value!r}; it must be a {of}")
+    return found

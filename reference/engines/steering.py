@@ -7,6 +7,7 @@ of the lecture; here is how a scenario is told to it, and how its answer becomes
 from __future__ import annotations
 
 import math
+import reprlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
@@ -14,7 +15,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.implementation import Implementation
-from reference.errors import InvalidInput
+from reference.errors import InvalidInput, RunFailed
 from reference.scene.loads import Steers
 from reference.scene.scenario import Body, Box, Scenario, Sphere
 from reference.scene.settings import Settings
@@ -79,6 +80,8 @@ class _Rule:
         obstacles = [scenario.body(name) for name in told.obstacles]
         self.centres = np.array([body.position for body in obstacles]).reshape(-1, 3)
         self.reaches = np.array([_bounding_radius(body) for body in obstacles])
+        for told_to_code in (self.goals, self.mass, self.radius):
+            told_to_code.flags.writeable = False  # or a rule that changes its arguments would change the scenario
         self._asked, self._force = 0, np.zeros((len(bodies), 3))
 
     def is_due(self, time: float) -> bool:
@@ -89,7 +92,10 @@ class _Rule:
         """The force on each steered body at a time, (n, 3), N."""
         if self.is_due(time):
             self._asked = math.floor(time / self.told.interval + ROUNDING) + 1
-            self._force = self._now(position[self.places], velocity[self.places])
+            own = position[self.places], velocity[self.places]
+            for each in own:
+                each.flags.writeable = False
+            self._force = self._now(*own)
         return self._force
 
     def _now(self, position: Array, velocity: Array) -> Array:
@@ -100,16 +106,16 @@ class _Rule:
     def force(self, velocity: Array, wanted: Array, time: float) -> Array:
         """The force that would give each body the wanted velocity within so many seconds."""
         answer = self.function("steering_force")(velocity, wanted, self.mass, time, self.told.max_force)
-        return np.asarray(answer, dtype=np.float64)
+        return numbers("steering_force", answer, velocity.shape)
 
     def around(self, position: Array, velocity: Array) -> Array:
         """Direction of each body to its goal, or around the nearest obstacle."""
         if not len(self.centres):
-            return np.asarray(self.function("seek")(position, self.goals, 1.0), dtype=np.float64)
+            return numbers("seek", self.function("seek")(position, self.goals, 1.0), position.shape)
         nearest = np.argmin(self._gaps(position), axis=-1)
         reach = self.reaches[nearest] + self.radius + self.told.margin
         answer = self.function("steer_around")(position, velocity, self.goals, self.centres[nearest], reach)
-        return np.asarray(answer, dtype=np.float64)
+        return numbers("steer_around", answer, position.shape)
 
     def _gaps(self, position: Array) -> Array:
         """From each body to the bounding sphere of each obstacle, (n, obstacles), m."""
@@ -121,8 +127,37 @@ class _Rule:
         away = position[:, None] - self.centres
         normal = away / np.linalg.norm(away, axis=-1, keepdims=True)
         strength, reach = self.told.parameter("strength"), self.told.parameter("reach")
-        forces = self.function("repelling_force")(self._gaps(position), normal, strength, reach)
-        return np.asarray(np.sum(forces, axis=1))
+        answer = self.function("repelling_force")(self._gaps(position), normal, strength, reach)
+        return np.asarray(np.sum(numbers("repelling_force", answer, normal.shape), axis=1))
+
+
+def numbers(name: str, answer: object, shape: tuple[int, ...]) -> Array:
+    """What a function of an implementation gave, as an array of finite numbers.
+
+    Raises
+    ------
+    RunFailed
+        If it is of another shape, or holds anything else than finite numbers; the message names the function.
+    """
+    try:
+        found = np.asarray(answer)
+    except ValueError:
+        raise RunFailed(f"{name} returned rows of unequal length; it must return an array {shape}") from None
+    if found.dtype.kind not in "biuf":
+        raise RunFailed(f"{name} returned {reprlib.repr(answer)}; it must return an array {shape} of real numbers")
+    if found.shape != shape:
+        raise RunFailed(f"{name} returned an array {found.shape}; its shape must be {shape}")
+    if not np.all(np.isfinite(found)):
+        first = found[~np.isfinite(found)][0]
+        raise RunFailed(f"{name} returned {first}; it must return finite numbers")
+    return np.asarray(found, dtype=np.float64)
+
+
+def _second(name: str, answer: object, shape: tuple[int, ...]) -> Array:
+    """The velocities of a function that returns positions and velocities."""
+    if not isinstance(answer, tuple | list) or len(answer) != 2:
+        raise RunFailed(f"{name} returned {reprlib.repr(answer)}; it must return two arrays, positions and velocities")
+    return numbers(name, answer[1], shape)
 
 
 def _bounding_radius(body: Body) -> float:
@@ -140,14 +175,18 @@ def _bounding_radius(body: Body) -> float:
 
 
 def _to_the_goal(rule: _Rule, position: Array, velocity: Array) -> Array:
-    answer = rule.function(rule.told.rule)(position, rule.goals, rule.told.max_speed)
-    return np.asarray(answer, dtype=np.float64)
+    return _towards_the_goal(rule, rule.told.rule, position)
+
+
+def _towards_the_goal(rule: _Rule, name: str, position: Array) -> Array:
+    answer = rule.function(name)(position, rule.goals, rule.told.max_speed)
+    return numbers(name, answer, position.shape)
 
 
 def _to_stop_there(rule: _Rule, position: Array, velocity: Array) -> Array:
     told = rule.told
     answer = rule.function("arrive")(position, rule.goals, told.max_speed, told.parameter("slowing_radius"))
-    return np.asarray(answer, dtype=np.float64)
+    return numbers("arrive", answer, position.shape)
 
 
 def _around(rule: _Rule, position: Array, velocity: Array) -> Array:
@@ -159,7 +198,8 @@ def _in_a_crowd(rule: _Rule, position: Array, velocity: Array) -> Array:
     told, preferred = rule.told, _to_stop_there(rule, position, velocity)
     flat = (values[:, :2] for values in (position, velocity, preferred))
     radius = rule.radius + told.margin
-    _, wanted = rule.function("crowd_step")(*flat, radius, told.max_speed, told.parameter("horizon"), told.interval)
+    answer = rule.function("crowd_step")(*flat, radius, told.max_speed, told.parameter("horizon"), told.interval)
+    wanted = _second("crowd_step", answer, (len(position), 2))
     return np.concatenate([wanted, np.zeros((len(position), 1))], axis=-1)
 
 
@@ -168,12 +208,11 @@ def _in_a_flock(rule: _Rule, position: Array, velocity: Array) -> Array:
     told = rule.told
     weights = tuple(told.parameter(name) for name in ("separation", "alignment", "cohesion"))
     limits = told.max_speed, told.parameter("max_acceleration")
-    _, among = rule.function("flock_step")(
-        position, velocity, told.interval, told.parameter("radius"), weights, *limits
-    )
+    answer = rule.function("flock_step")(position, velocity, told.interval, told.parameter("radius"), weights, *limits)
+    among = _second("flock_step", answer, position.shape)
     turn = told.max_speed * rule.around(position, velocity) - velocity
     wanted = among + told.interval / told.parameter("response_time") * turn
-    return np.asarray(rule.function("limited")(wanted, told.max_speed), dtype=np.float64)
+    return numbers("limited", rule.function("limited")(wanted, told.max_speed), position.shape)
 
 
 WANTED: Mapping[str, Callable[[_Rule, Array, Array], Array]] = {
@@ -189,5 +228,5 @@ WANTED: Mapping[str, Callable[[_Rule, Array, Array], Array]] = {
 
 def _in_a_field(rule: _Rule, position: Array, velocity: Array) -> Array:
     """A body is drawn to its goal, and pushed off by each obstacle that it is near."""
-    wanted = np.asarray(rule.function("seek")(position, rule.goals, rule.told.max_speed), dtype=np.float64)
+    wanted = _towards_the_goal(rule, "seek", position)
     return rule.force(velocity, wanted, rule.told.parameter("response_time")) + rule.field(position)

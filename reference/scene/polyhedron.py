@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +15,8 @@ from reference.checks import Vector
 from reference.errors import InvalidInput
 
 Triangle = tuple[int, int, int]
+_FLAT = 1e-9
+"""How far in front of a face, as a share of the size, a vertex may be in rounding."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +36,7 @@ class Polyhedron:
         vertices = tuple(checks.vector(f"vertices[{place}]", each) for place, each in enumerate(self.vertices))
         object.__setattr__(self, "vertices", vertices)
         for name, least in (("faces", 3), ("pieces", 4)):
-            groups = tuple(tuple(int(vertex) for vertex in group) for group in getattr(self, name))
+            groups = tuple(_numbers_in(name, group) for group in checks.all_of(name, getattr(self, name), Iterable))
             for group in groups:
                 self._check_group(name, group, least)
             object.__setattr__(self, name, groups)
@@ -44,6 +48,20 @@ class Polyhedron:
             )
         if self.volume <= 0:
             raise InvalidInput(f"the faces of a polyhedron must look outwards; its volume comes out as {self.volume:g}")
+        if not self.pieces:
+            self._check_convex()
+
+    def _check_convex(self) -> None:
+        """Refuse a solid that is told without pieces and is not convex: engines would take its hull for it."""
+        corners = self.points[np.array(self.faces)]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        heights = np.einsum("fk,fvk->fv", normals, self.points - corners[:, :1])
+        sizes = np.linalg.norm(normals, axis=-1, keepdims=True) * float(np.max(np.ptp(self.points, axis=0)))
+        face, vertex = np.unravel_index(np.argmax(heights - _FLAT * sizes), heights.shape)
+        if heights[face, vertex] > _FLAT * sizes[face, 0]:
+            raise InvalidInput(
+                f"a polyhedron without pieces must be convex; vertex {vertex} is in front of face {self.faces[face]}"
+            )
 
     def _check_group(self, name: str, group: tuple[int, ...], least: int) -> None:
         known = all(0 <= vertex < len(self.vertices) for vertex in group)
@@ -65,3 +83,11 @@ class Polyhedron:
     def convex_pieces(self) -> tuple[tuple[int, ...], ...]:
         """The vertices of each convex piece: all of them where the solid has no others."""
         return self.pieces or (tuple(range(len(self.vertices))),)
+
+
+def _numbers_in(name: str, group: Iterable[int]) -> tuple[int, ...]:
+    """The numbers of vertices that make a face or a piece."""
+    try:
+        return tuple(operator.index(vertex) for vertex in group)
+    except TypeError:
+        raise InvalidInput(f"{name} has {group!r}; it takes whole numbers of vertices") from None

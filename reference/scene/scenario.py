@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import UnionType
 
 from reference import checks
 from reference.checks import Quaternion, Vector
@@ -173,6 +175,12 @@ class Pair:
         object.__setattr__(self, "static_friction", static)
 
 
+_PARTS: Mapping[str, type | UnionType] = {
+    "bodies": Body, "pairs": Pair, "forces": Push, "springs": Spring, "attractions": Attraction, "steering": Steering,
+}  # fmt: skip
+"""Fields of a scenario that hold several things, and of which kind these are."""
+
+
 @dataclass(frozen=True)
 class Scenario:
     """A complete set-up. duration: s. gravity: acceleration, m/s². Pairs that are not listed do not collide.
@@ -195,8 +203,10 @@ class Scenario:
     def __post_init__(self) -> None:
         object.__setattr__(self, "duration", checks.positive(f"{self.name}: duration", self.duration))
         object.__setattr__(self, "gravity", checks.vector(f"{self.name}: gravity", self.gravity))
-        for name in ("bodies", "pairs", "forces", "springs", "attractions", "steering"):
-            object.__setattr__(self, name, tuple(getattr(self, name)))
+        for name, kind in _PARTS.items():
+            object.__setattr__(self, name, checks.all_of(f"{self.name}: {name}", getattr(self, name), kind))
+        if self.fluid != () and not isinstance(self.fluid, Fluid):
+            raise InvalidInput(f"{self.name}: fluid is {self.fluid!r}; it must be a Fluid, or () for none")
         names = [body.name for body in self.bodies]
         if len(set(names)) != len(names):
             raise InvalidInput(f"{self.name}: two bodies share a name in {names}")

@@ -23,6 +23,8 @@ RULES: Mapping[str, tuple[str, ...]] = {
     "crowd_step": ("slowing_radius", "horizon"),
 }
 """Each rule, a function of the lecture, and the parameters that it needs besides the common ones."""
+DIVISORS = ("reach", "response_time", "horizon")
+"""Parameters that something is divided by."""
 AROUND = ("steer_around", "repelling_force", "flock_step")
 """The rules that heed obstacles."""
 
@@ -62,7 +64,7 @@ class Steering:
         if self.rule not in RULES:
             raise UnknownName("steering rule", self.rule, RULES)
         for name in ("bodies", "obstacles"):
-            object.__setattr__(self, name, tuple(getattr(self, name)))
+            object.__setattr__(self, name, checks.all_of(f"{self.rule}: {name}", getattr(self, name), str))
         if not self.bodies or len(set(self.bodies)) != len(self.bodies):
             raise InvalidInput(f"{self.rule} steers {self.bodies}; it needs one or more bodies, each once")
         if len(self.goals) != len(self.bodies):
@@ -78,12 +80,21 @@ class Steering:
 
     def _check_parameters(self) -> None:
         """Refuse parameters that the rule does not have, and obstacles that it would not heed."""
-        told = dict(self.parameters)
+        try:
+            told = dict(self.parameters)
+        except (TypeError, ValueError):
+            raise InvalidInput(
+                f"{self.rule}: parameters is {self.parameters!r}; it must hold names with their numbers,"
+                f" (name, number), of {RULES[self.rule]}"
+            ) from None
         if tuple(told) != RULES[self.rule]:
             raise InvalidInput(
                 f"{self.rule} has the parameters {tuple(told)}; it needs {RULES[self.rule]}, in this order"
             )
-        known = tuple((name, checks.not_negative(f"{self.rule}: {name}", value)) for name, value in told.items())
+        known = tuple(
+            (name, (checks.positive if name in DIVISORS else checks.not_negative)(f"{self.rule}: {name}", value))
+            for name, value in told.items()
+        )
         object.__setattr__(self, "parameters", known)
         if self.obstacles and self.rule not in AROUND:
             raise InvalidInput(f"{self.rule} heeds no obstacles, and has {self.obstacles}; {', '.join(AROUND)} do")

@@ -50,8 +50,11 @@ def survey(
 ) -> Survey:
     """A survey of the bodies that its questions are about."""
     questions, watched = tuple(questions), tuple(watched)
-    asked = [query for _, query in questions] + list(watched)
-    bodies = {body.name: body for query in asked for body in bodies_of(query)}
+    bodies = dict[str, Body]()
+    for query in [*(query for _, query in questions), *watched]:
+        for body in bodies_of(query):
+            if bodies.setdefault(body.name, body) != body:
+                raise InvalidInput(f"{name}: two bodies that it asks about share the name {body.name!r}")
     still = (0.0, 0.0, 0.0)
     return Survey(name, tuple(bodies.values()), (), duration, still, questions=questions, watched=watched)
 

@@ -15,7 +15,7 @@ from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.engines.steering import steers_of
-from reference.errors import InvalidInput, NeedsFunction
+from reference.errors import InvalidInput, NeedsFunction, RunFailed
 from reference.prediction import steered
 from reference.scene.clearance import nearest
 from reference.scene.geometry import gap, opposite, rotate
@@ -101,6 +101,44 @@ def test_walkers_who_heed_nobody_meet_in_contacts_that_are_reported(name, instal
     run = engine.run(scenario, engine.settings(scenario, counted(engine)))
     assert crowd.contacts(run) > 0
     assert steered.predict(scenario, run.settings, engine.method(scenario, run.settings)) is None
+
+
+WRONG = {
+    "seek": [
+        ("np.full_like(position, np.nan)", "seek returned nan; it must return finite numbers"),
+        ("position[:, :2]", r"seek returned an array \(2, 2\); its shape must be \(2, 3\)"),
+        ("position[0]", r"seek returned an array \(3,\); its shape must be \(2, 3\)"),
+        ("1.0", r"seek returned an array \(\); its shape must be \(2, 3\)"),
+        ("[[1.0], [2.0, 3.0]]", r"seek returned rows of unequal length; it must return an array \(2, 3\)"),
+        ("position + 1j", "of real numbers"),
+        ("'left'", "seek returned 'left'; it must return an array"),
+    ],
+    "crowd_step": [
+        ("velocity", "crowd_step returned .*; it must return two arrays, positions and velocities"),
+        ("(position, np.inf * velocity)", "crowd_step returned (nan|inf|-inf); it must return finite numbers"),
+    ],
+    "flock_step": [("(position, velocity[:1])", r"flock_step returned an array \(1, 3\)")],
+}
+
+
+@pytest.mark.parametrize(
+    ("rule", "answer", "words"), [(rule, *each) for rule, wrong in WRONG.items() for each in wrong]
+)
+def test_a_rule_that_gives_no_velocities_is_named_with_what_it_gave(rule, answer, words, tmp_path):
+    path = tmp_path / "mine.py"
+    path.write_text(f"import numpy as np\ndef {rule}(position, velocity, *others):\n    return {answer}\n", "utf-8")
+    engine, scenario = load_engine("handwritten", Implementation(f"{path} | solutions")), scene(rule)
+    with pytest.raises(RunFailed, match=words):
+        engine.run(scenario, engine.settings(scenario, "world"))
+
+
+@pytest.mark.parametrize("changed", ["position", "target"])
+def test_a_rule_cannot_change_the_scenario_through_its_arguments(changed, tmp_path):
+    path = tmp_path / "mine.py"
+    path.write_text(f"def seek(position, target, speed):\n    {changed} -= 1.0\n    return target\n", "utf-8")
+    engine, scenario = load_engine("handwritten", Implementation(f"{path} | solutions")), scene("seek")
+    with pytest.raises(ValueError, match="read-only"):
+        engine.run(scenario, engine.settings(scenario, "world"))
 
 
 def test_a_force_stays_for_an_interval_and_is_shortened_to_the_largest():

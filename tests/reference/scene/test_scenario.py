@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from reference.errors import CollisionsError, InvalidInput, UnknownName
-from reference.scene.forces import Force
+from reference.scene.forces import Fluid, Force, Spring
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.steering import Steering
 
 FLOOR = Body("floor", HalfSpace())
 BALL = Body("ball", Sphere(0.1), mass=1.0, position=(0.0, 0.0, 1.0))
@@ -20,9 +21,38 @@ def scenario(**changes):
     return Scenario(**parts | changes)
 
 
+def _steered(rule="seek", bodies=("ball",), goals=((1.0, 1.0, 1.0),), parameters=()):
+    return Steering(rule, bodies, goals, 1.0, 0.1, parameters=parameters)
+
+
 # What cannot be is refused, by name and value
 
 REFUSED = {
+    "a scenario with a lone spring": (
+        lambda: scenario(springs=Spring("ball", "", 3.0)),
+        "drop: springs is Spring(body_a='ball'",
+    ),
+    "a spring among forces": (
+        lambda: scenario(forces=(Spring("ball", "", 3.0),)),
+        "it must be a Force or GrowingForce or OscillatingForce",
+    ),
+    "a word among bodies": (lambda: scenario(bodies=("ball",)), "drop: bodies[0] is 'ball'; it must be a Body"),
+    "a rule by its name alone": (lambda: scenario(steering=("seek",)), "steering[0] is 'seek'; it must be a Steering"),
+    "a fluid in a tuple": (lambda: scenario(fluid=(Fluid(1.0),)), "drop: fluid is (Fluid(density=1.0"),
+    "a fluid of a number": (
+        lambda: scenario(fluid=1000.0),
+        "drop: fluid is 1000.0; it must be a Fluid, or () for none",
+    ),
+    "a fluid of None": (lambda: scenario(fluid=None), "drop: fluid is None; it must be a Fluid"),
+    "a rule for the letters of a name": (lambda: _steered(bodies="ab", goals=((0, 0, 0), (1, 1, 1))), "bodies is 'ab'"),
+    "a rule with a flat parameter": (
+        lambda: _steered("arrive", parameters=("slowing_radius", 1.0)),
+        "arrive: parameters is ('slowing_radius', 1.0); it must hold names with their numbers",
+    ),
+    "a field without reach": (
+        lambda: _steered("repelling_force", parameters=(("strength", 1.0), ("reach", 0.0), ("response_time", 1.0))),
+        "repelling_force: reach is 0.0; it must be above zero",
+    ),
     "a sphere of radius zero": (lambda: Sphere(0.0), "radius is 0.0; it must be above zero"),
     "a sphere of negative radius": (lambda: Sphere(-0.5), "radius is -0.5; it must be above zero"),
     "a sphere of radius NaN": (lambda: Sphere(math.nan), "radius is nan; it must be a finite number"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from reference.errors import InvalidInput, UnknownName
@@ -34,11 +35,32 @@ def test_the_volume_of_a_tetrahedron_is_a_sixth_of_its_edges_product():
         ((*FACES[:3], (1, 2, 4)), (), "different ones of 4 vertices"),
         (FACES, ((0, 1, 2),), "different ones of 4 vertices"),
         ((), (), "must close"),
+        ((*FACES[:3], (1, 2, 3.0)), (), "whole numbers of vertices"),
+        (("021", *FACES[1:]), (), "has '021'; it takes whole numbers of vertices"),
+        ((1, 2, 3, 0), (), r"faces\[0\] is 1"),
     ],
 )
 def test_a_surface_that_encloses_nothing_is_refused(faces, pieces, words):
     with pytest.raises(InvalidInput, match=words):
         Polyhedron(CORNERS, faces, pieces)
+
+
+def test_a_dented_solid_is_refused_where_no_pieces_say_how_it_is_dented():
+    # The face opposite the origin gets a vertex in its middle, pushed in or out by some millimetres
+    inner = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)]
+    middle = np.mean(CORNERS[1:], axis=0)
+    dented = (*CORNERS, tuple((middle - 0.003).tolist()))
+    with pytest.raises(InvalidInput, match=r"without pieces must be convex; vertex \d is in front of face"):
+        Polyhedron(dented, inner)
+    assert Polyhedron(dented, inner, ((0, 1, 2, 4), (0, 2, 3, 4), (0, 3, 1, 4))).volume < 4
+    assert Polyhedron((*CORNERS, tuple((middle + 0.003).tolist())), inner).volume > 4
+    assert Polyhedron((*CORNERS, tuple(middle.tolist())), np.array(inner)).volume == pytest.approx(4)
+
+
+def test_two_bodies_of_one_name_are_refused_in_a_survey():
+    larger = replace(SOLID, position=(2, 0, 0))
+    with pytest.raises(InvalidInput, match="two bodies that it asks about share the name 'solid'"):
+        survey("asked", [("in", Inside(SOLID, (1.2, 0.1, 0.1))), ("out", Inside(larger, (0, 0, 0)))])
 
 
 def test_a_polyhedron_that_could_move_is_refused_and_so_is_its_gap():
