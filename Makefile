@@ -31,7 +31,7 @@ report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes
-	$(PYTEST) --cpu-allowed=360 --run-limit=1800 $(ARGS)
+	$(PYTEST) --cpu-allowed=390 --run-limit=1800 $(ARGS)
 
 lint: $(READY)   ## style and types
 	$(BIN)/ruff check .

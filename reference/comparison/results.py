@@ -78,8 +78,8 @@ class JobResult:
 
     title: of the engine. description: of the profile. settings: those of the plotted case, in words. recording: where
     and when it was measured, if not here. poses: of each case's first scenario, where the job asks for them. functions:
-    the hand-written functions that it called. seconds: how long it took where it ran. cached: whether it ran earlier,
-    and the cache had its result.
+    the hand-written functions that it called. seconds: how long it took where it ran, and processor_seconds: of how
+    much processor time. cached: whether it ran earlier, and the cache had its result.
     """
 
     job: Job
@@ -95,6 +95,7 @@ class JobResult:
     poses: tuple[Track, ...] = ()
     functions: tuple[str, ...] = field(default=(), compare=False)
     seconds: float = field(default=0.0, compare=False)
+    processor_seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
 
     @property

@@ -101,7 +101,8 @@ def _small(found: Sequence[Section], cache: Cache | None) -> dict[str, tuple[str
 
 
 def _timing(result: JobResult) -> dict[str, Any]:
-    return run_of(result) | {"seconds": round(result.seconds, 3), "cached": result.cached}
+    used = {"seconds": round(result.seconds, 3), "processor_seconds": round(result.processor_seconds, 3)}
+    return run_of(result) | used | {"cached": result.cached}
 
 
 def _write(path: Path, text: str) -> None:

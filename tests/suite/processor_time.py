@@ -6,12 +6,17 @@ test is charged with everything its process and that process's descendants have 
 by side:
 
     python tests/suite/processor_time.py test.json verify.json
+
+Allowances are in the seconds of one machine. So each process that runs tests also times a small workload, at its
+beginning and its end, beside whatever else runs then; what a run took is divided by how many times as long that takes
+here as there.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import statistics
 import sys
 import time
 from collections import Counter
@@ -23,7 +28,8 @@ import pytest
 
 _TEST = "processor_time"  # the property of a report that carries the seconds of its test to the controlling process
 _COLLECTION = "collection_processor_time"
-_VERSION = 1
+_SLOWNESS = "times_as_slow_as_the_machine_of_the_allowances"
+_VERSION = 2
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -46,6 +52,19 @@ class _Measurement:
         self._reading = 0.0
         self._collection = 0.0
         self._tests: Counter[str] = Counter()
+        self._slowness: list[float] = []
+        wanted = config.getoption("--cpu-report") or config.getoption("--cpu-allowed")
+        runs_tests = hasattr(config, "workerinput") or not config.getoption("numprocesses", None)
+        self._times_workload = bool(wanted and runs_tests)
+
+    def pytest_sessionstart(self) -> None:
+        self._time_workload()
+
+    def _time_workload(self) -> None:
+        if self._times_workload:
+            from reference.pace import slowness  # noqa: PLC0415  # with NumPy, which few runs of these plugins need
+
+            self._slowness.append(slowness())
 
     def pytest_collection_finish(self) -> None:
         self._collection = self._reading = used()
@@ -66,12 +85,15 @@ class _Measurement:
             self._tests[report.nodeid] += dict(report.user_properties).get(_TEST, 0.0)
 
     def pytest_sessionfinish(self) -> None:
+        self._time_workload()
         if hasattr(self._config, "workeroutput"):
-            self._config.workeroutput[_COLLECTION] = self._collection
+            self._config.workeroutput |= {_COLLECTION: self._collection, _SLOWNESS: self._slowness}
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
-        self._collection += getattr(node, "workeroutput", {}).get(_COLLECTION, 0.0)
+        told = getattr(node, "workeroutput", {})
+        self._collection += told.get(_COLLECTION, 0.0)
+        self._slowness += told.get(_SLOWNESS, [])
 
     @pytest.hookimpl(trylast=True)  # hypothesis takes most of a second for its own summary
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
@@ -91,6 +113,7 @@ class _Measurement:
             "version": _VERSION,
             "allowed": self._config.getoption("--cpu-allowed"),
             "total": of_tests + rest,
+            "slowness": round(statistics.mean(self._slowness), 3) if self._slowness else None,
             "folders": dict(sorted(folders.items())) | {"collection": self._collection, "pytest itself": rest},
             "tests": {test: round(seconds, 4) for test, seconds in self._tests.most_common()},
         }
@@ -132,10 +155,19 @@ def _seconds(process: str) -> float:
 
 
 def line_of(report: dict[str, Any]) -> str:
-    """The time of each folder, and of the run, in a line."""
+    """The time of each folder, and of the run, in a line; last, in the seconds in which allowances are given."""
     folders = ", ".join(f"{folder} {seconds:.1f} s" for folder, seconds in report["folders"].items())
+    line = f"processor time: {folders}; in all {report['total']:.1f} s"
+    if not report["slowness"]:
+        return line
     allowed = f" of {report['allowed']:g} s allowed" if report["allowed"] else ""
-    return f"processor time: {folders}; in all {report['total']:.1f} s{allowed}"
+    here = f"This machine takes {report['slowness']:.2f} times as long as the one of the allowances"
+    return f"{line}. {here}: {_comparable(report):.1f} s{allowed}."
+
+
+def _comparable(report: dict[str, Any]) -> float:
+    """What the run would have taken on the machine of the allowances, s."""
+    return float(report["total"]) / (report["slowness"] or 1.0)
 
 
 def table_of(reports: dict[str, dict[str, Any]]) -> str:
@@ -145,6 +177,9 @@ def table_of(reports: dict[str, dict[str, Any]]) -> str:
     for folder in sorted(folders, key=lambda name: (not name.startswith("tests"), name)):
         rows.append([folder, *(f"{report['folders'].get(folder, 0.0):.1f}" for report in reports.values())])
     rows.append(["in all", *(f"{report['total']:.1f}" for report in reports.values())])
+    if all(report["slowness"] for report in reports.values()):
+        rows.append(["times as slow", *(f"{report['slowness']:.2f}" for report in reports.values())])
+        rows.append(["comparable", *(f"{_comparable(report):.1f}" for report in reports.values())])
     allowed = [report["allowed"] for report in reports.values()]
     if any(allowed):
         rows.append(["allowed", *(f"{seconds:g}" if seconds else "" for seconds in allowed)])

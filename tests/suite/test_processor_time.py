@@ -52,20 +52,36 @@ def test_every_test_is_charged_with_what_it_and_its_children_use(run_pytest, tmp
     assert report["total"] == pytest.approx(sum(report["folders"].values()))
 
 
+@pytest.mark.parametrize("processes", ["0", pytest.param("2", marks=pytest.mark.slow)])
+def test_the_machine_is_timed_where_tests_run(run_pytest, tmp_path, processes):
+    ended = run_pytest({"test_idle.py": "def test_idle(): pass"}, "-n", processes, "--cpu-report=r.json")
+    report = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    assert 0.05 < report["slowness"] < 50
+    assert line_of(report) in ended.stdout
+
+
+REPORT = {"folders": {"tests/labs": 80.25, "collection": 1.0}, "total": 81.25, "allowed": 300.0, "slowness": 2.5}
+
+
 def test_the_line_names_each_folder_and_what_is_allowed():
-    report = {"folders": {"tests/labs": 80.25, "collection": 1.0}, "total": 81.25, "allowed": 300.0}
-    assert line_of(report) == "processor time: tests/labs 80.2 s, collection 1.0 s; in all 81.2 s of 300 s allowed"
-    assert line_of(report | {"allowed": None}).endswith("in all 81.2 s")
+    assert line_of(REPORT) == (
+        "processor time: tests/labs 80.2 s, collection 1.0 s; in all 81.2 s."
+        " This machine takes 2.50 times as long as the one of the allowances: 32.5 s of 300 s allowed."
+    )
+    assert line_of(REPORT | {"allowed": None}).endswith(": 32.5 s.")
+    assert line_of(REPORT | {"allowed": None, "slowness": None}).endswith("in all 81.2 s")
 
 
 def test_the_table_has_a_column_for_each_run():
-    first = {"folders": {"tests/labs": 80.0, "collection": 1.0}, "total": 81.0, "allowed": 300.0}
-    second = {"folders": {"tests/reference": 500.0, "collection": 2.0}, "total": 502.0, "allowed": None}
+    first = REPORT | {"folders": {"tests/labs": 80.0, "collection": 1.0}, "total": 81.0}
+    second = {"folders": {"tests/reference": 500.0, "collection": 2.0}, "total": 502.0, "allowed": None, "slowness": 2}
     assert table_of({"test": first, "verify": second}).split("\n") == [
         "processor time, s      test    verify",
         "tests/labs             80.0       0.0",
         "tests/reference         0.0     500.0",
         "collection              1.0       2.0",
         "in all                 81.0     502.0",
+        "times as slow          2.50      2.00",
+        "comparable             32.4     251.0",
         "allowed                 300          ",
     ]
