@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import itertools
 import re
-import time
 
 import pytest
 from made_results import EVERY, MISSING
+from processor_time import used
 from program import collisions
 from rich.cells import cell_len
 
 from labs.cli import jobs, show
 from labs.demonstrations.catalogue import DEMONSTRATIONS, find
+from reference.pace import slowness
 
 pytestmark = pytest.mark.usefixtures("screen", "one_worker")
-LIMIT = 30.0  # s: what a demonstration may take on two cores with an empty cache
+LIMIT = 45.0
+"""What a demonstration may take with an empty cache: processor time, s, on the machine of the allowances.
+
+A class should wait for half a minute at most. Two cores have 60 s in it, of which runs of unequal length leave some
+unused. Wall time would depend on what else runs: one demonstration took 37 s beside another worker of the tests.
+"""
 
 
 def test_show_without_a_name_lists_every_demonstration():
@@ -126,12 +132,12 @@ def test_a_demonstration_can_show_a_students_own_code(tmp_path):
 
 @pytest.mark.slow
 @EVERY
-def test_every_demonstration_takes_less_than_half_a_minute(demonstration, installed, tmp_path):
+def test_every_demonstration_is_there_in_half_a_minute_and_fits_the_screen(demonstration, installed, tmp_path):
     for engine in demonstration.profiles:
         installed(engine)
-    start = time.monotonic()
+    here, before = slowness(), used()
     said = collisions("show", demonstration.name, "--jobs", "2", "--plot", tmp_path / "plot.png")
-    assert time.monotonic() - start < LIMIT
+    assert (used() - before) / max(here, slowness()) < LIMIT
     assert said.code == 0, said.errors
     assert said.output.count("→ ") == len(demonstration.lesson)
     assert max(cell_len(line) for line in said.lines if not line.startswith("The plot is in")) <= 80
