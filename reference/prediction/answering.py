@@ -3,7 +3,8 @@
 By hand a solid is its surface and what that encloses. An engine's settings say what it is to the engine: its
 triangles, which have no inside, its convex hull, or convex pieces. Bullet makes a hull thicker by its margin, and puts
 the vertices of a hull on a grid: between the least and the largest coordinate along each axis there are 10216 steps,
-and a vertex moves towards the middle to the next of them (`btConvexHullComputer`).
+and a vertex moves towards the middle to the next of them (`btConvexHullComputer`). A ray of Bullet's at a hull advances
+by what is surely free, and ends within 1 mm of the hull (`btGjkConvexCast`).
 """
 
 from __future__ import annotations
@@ -39,6 +40,8 @@ from reference.scene.survey import Survey, at_time
 
 BULLETS_MARGIN = 1e-3
 """Bullet adds it to a hull unless it is told otherwise, m."""
+BULLETS_NEAR = 1e-3
+"""As near to a hull Bullet's ray has to come, m (`radius` in `btGjkConvexCast`)."""
 BULLETS_STEPS = 10216
 """Of the grid on which Bullet puts the vertices of a hull, along each axis."""
 DOUBLE, SINGLE = 64 * 2.0**-52, 8 * 2.0**-23
@@ -111,8 +114,8 @@ class View:
             return list(map(float, solids.crossings(start, way, _surface(solid))))
         (part,) = self._parts(solid, HULL)
         corners = solids.hull(part)
-        there = solids.first_touch(start, way, corners, self.margin)
-        back = solids.first_touch(start + way, -way, corners, self.margin)
+        there = solids.advanced(start, way, corners, self.margin, BULLETS_NEAR)
+        back = solids.advanced(start + way, -way, corners, self.margin, BULLETS_NEAR)
         return [there, 1 - back] if math.isfinite(there) and math.isfinite(back) else []
 
     def _inside(self, solid: Body, point: Array) -> float:

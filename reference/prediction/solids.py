@@ -115,33 +115,36 @@ def lies_in_a_face(start: Array, way: Array, corners: Array) -> bool:
     return bool(np.any(np.all(np.abs(heights) <= near, axis=0)))
 
 
-def first_touch(start: Array, way: Array, corners: Array, margin: float) -> float:
-    """The share of the way, from outside, to the first point that is a margin, m, away from a convex solid.
+def advanced(start: Array, way: Array, corners: Array, margin: float, near: float) -> float:
+    """The share of the way, from outside, at which a search by conservative advancement ends at a convex solid.
 
-    That solid, rounded off, is the union of its faces moved out, of a cylinder about each edge and of a ball about each
-    vertex. Infinite where the way does not get there.
+    The solid is rounded off by a margin, m. Each turn takes the nearest point and goes as far as the plane through it,
+    across the shortest way, allows. So the search never goes too far, meets a face in one turn and stays before an
+    edge. It ends as soon as the solid is at most `near` away, m. Infinite where the way does not get there.
     """
-    normal = _normals(corners)
-    moved = corners + margin * (normal / np.linalg.norm(normal, axis=-1, keepdims=True))[:, None]
-    found = [*crossings(start, way, moved).tolist()]
-    if margin > 0:
-        edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 3)
-        for a, b in np.unique(edges, axis=0):
-            found += _into_capsule(start - a, way, b - a, margin)
-    return min(found, default=np.inf)
+    share = 0.0
+    while share <= 1:
+        place = start + share * way
+        apart = place - nearest_point(place, corners)
+        distance = float(np.linalg.norm(apart))
+        if distance - margin <= near:
+            return share
+        closing = -float(way @ apart) / distance
+        if closing <= 0:
+            break
+        share += (distance - margin) / closing
+    return np.inf
 
 
-def _into_capsule(start: Array, way: Array, edge: Array, radius: float) -> list[float]:
-    """Where a way enters the cylinder about an edge, between its ends, or the ball about its start."""
-    along = edge / np.linalg.norm(edge)
+def nearest_point(point: Array, corners: Array) -> Array:
+    """The point of all triangles that is nearest to another one, (3,), m."""
+    a, b, c = corners[int(np.argmin(distances(point, corners)))]
+    normal = np.cross(b - a, c - a)
+    foot = point - ((point - a) @ normal) / (normal @ normal) * normal
+    if all(np.cross(end - begin, foot - begin) @ normal >= 0 for begin, end in ((a, b), (b, c), (c, a))):
+        return np.asarray(foot)
     found = []
-    for within, p, d in (
-        (lambda x: 0 <= x @ edge <= edge @ edge, start - (start @ along) * along, way - (way @ along) * along),
-        (lambda x: True, start, way),
-    ):
-        a, half_b, c = d @ d, p @ d, p @ p - radius**2
-        if a > 0 and half_b**2 > a * c:
-            share = (-half_b - np.sqrt(half_b**2 - a * c)) / a
-            if 0 <= share <= 1 and within(start + share * way):
-                found.append(float(share))
-    return found
+    for begin, end in ((a, b), (b, c), (c, a)):
+        edge = end - begin
+        found.append(begin + np.clip((point - begin) @ edge / (edge @ edge), 0.0, 1.0) * edge)
+    return min(found, key=lambda place: float(np.linalg.norm(point - place)))

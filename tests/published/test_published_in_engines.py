@@ -16,7 +16,7 @@ from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.published.case import Published
 from reference.published.drivers import DRIVERS
-from reference.published.in_engines import bouncing, scenes, springs, touching
+from reference.published.in_engines import bouncing, loaded, scenes, springs, touching
 from reference.published.in_engines.at_step import Bounce, apexes_off, stepped, times_off
 from reference.published.judging import compare_published
 from reference.published.results import PublishedRow
@@ -220,6 +220,30 @@ def test_bullets_distance_is_that_of_a_box_rounded_by_its_margin(installed):
         rounded.append(np.linalg.norm(place - core) - margin - radius)
     # Bullet stops its iteration at a relative 1e-6 of the square of the distance
     assert found == pytest.approx(rounded, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "larger"),
+    [
+        # Bullet keeps the corners of a box in a step of 2 % of half its diagonal: 0.10 m, and 0.41 m of the larger one.
+        ("pybullet", (20.0, 4.0, 0.001)),
+        # In MuJoCo a slab on two of its corners falls by 3/4 g dt² in a step, 3 mm: its middle must not get below the
+        # plane. The half height is 1 mm here, and 10 mm of the larger one.
+        ("mujoco", (5.0, 1.0, 0.01)),
+    ],
+)
+def test_at_20_ms_a_larger_slab_swings_as_predicted_and_that_of_p16_does_not(name, larger, installed, monkeypatch):
+    engine, case = installed(name), published("P16")
+    monkeypatch.setattr(loaded, "SWING_STEP", 0.02)
+
+    def off() -> list[float]:
+        found = loaded.dry_oscillator(case, engine)
+        expected = {figure: case.expected_value(figure) + answer.shift for figure, answer in found.items()}
+        return [abs(answer.value - expected[figure]) / answer.shift_tolerance for figure, answer in found.items()]
+
+    assert max(off()) > 10
+    monkeypatch.setattr(loaded, "SLAB", larger)
+    assert max(off()) < 1
 
 
 def by_steps(bounce: Bounce, weighed: float, duration: float) -> Trajectory:

@@ -108,15 +108,25 @@ def test_the_pieces_of_the_channel_fill_it_and_nothing_else():
 def test_a_ray_stops_where_the_solid_is_a_margin_away():
     hull = solids.hull(SOLID.points)
     for start, end in itertools.product(2 * np.vstack([np.eye(3), -np.eye(3)]), SOLID.points + 1e-3):
-        share = solids.first_touch(start, end - start, hull, 0.02)
+        share = solids.advanced(start, end - start, hull, 0.02, 1e-13)
         if np.isfinite(share):
             touched = start + share * (end - start)
             assert solids.depth_or_gap(touched, hull) == pytest.approx(0.02, abs=1e-12)
             earlier = start + 0.99 * share * (end - start)
             assert solids.depth_or_gap(earlier, hull) > 0.02
+            early = start + solids.advanced(start, end - start, hull, 0.02, 1e-2) * (end - start)
+            assert -1e-12 <= solids.depth_or_gap(early, hull) - 0.02 <= 1e-2
         else:
             way = [start + part * (end - start) for part in np.linspace(0, 1, 101)]
             assert min(solids.depth_or_gap(place, hull) for place in way) > 0.019
+
+
+def test_the_nearest_point_is_as_far_as_the_distance_says():
+    hull = solids.hull(SOLID.points)
+    for point in 2 * np.random.default_rng(3).normal(size=(60, 3)):
+        nearest = solids.nearest_point(point, hull)
+        assert np.linalg.norm(point - nearest) == pytest.approx(np.min(solids.distances(point, hull)), rel=1e-12)
+        assert np.min(solids.distances(nearest, hull)) < 1e-12
 
 
 def test_bullets_grid_moves_a_vertex_inwards_by_less_than_a_step():

@@ -148,9 +148,9 @@ CONVEX_SOLID = Family(
     " to the first that it leaves.",
     why=(
         "Bullet adds a margin of 1 mm to a convex hull. As installed it therefore gives every gap 1 mm too small and"
-        " stops a ray too early. Its search along a ray ends as soon as it is within 1 cm of a hull, which is a large"
-        " error for a solid of 5 cm. In the tuned settings rays meet the triangles, which have no margin, and gaps are"
-        " measured to a hull without a margin.",
+        " stops a ray too early. Its search along a ray ends as soon as it is within 1 mm of that margin, which only"
+        " shows near edges. In the tuned settings rays meet the triangles, which have no margin, and gaps are measured"
+        " to a hull without a margin.",
         "Bullet also puts the vertices of a hull on a grid of 10216 steps between the least and the largest coordinate"
         " along each axis, so that the error of a gap is up to `10⁻⁴` of the size of the solid.",
         "MuJoCo and DART keep the vertices of a mesh in single precision, so that lengths are right to `10⁻⁷` of the"
@@ -164,10 +164,9 @@ CONVEX_SOLID = Family(
     cases=_cases("convex-solid", _about_the_solid),
     quantities=(
         Quantity("points", "points", "", solids.misjudged, solids.none(2 * FACES), share_of="points misjudged"),
-        Quantity("face", "ray", "m", solids.mean_way("face"), solids.length(solids.size_of), solids.size_of,
-                 solids.left_before_a_hull),
+        Quantity("face", "ray", "m", solids.mean_way("face"), solids.length(solids.size_of), solids.size_of),
         Quantity("segment", "segment", "m", solids.mean_of("segment"), solids.length(_mean_chord),
-                 solids.size_of, solids.left_before_a_hull),
+                 solids.size_of),
         Quantity("gap", "gap", "m", solids.mean_of("gap"), solids.length(lambda case: GAP * solids.size_of(case)),
                  solids.size_of, solids.left_by_iteration),
         Quantity("depth", "depth", "m", solids.mean_of("depth"),

@@ -115,7 +115,7 @@ def test_turns_leave_what_they_cannot_carry_through_a_light_ball(
 
     assert apart() == pytest.approx(parts, rel=0.01)  # m, as measured: whatever changes it is to be noticed
     assert apart() < left * pushed
-    # A hundred times as many turns leave 10⁻³⁸ and less: rounding, and what the tolerance by hand is, 10⁻¹⁰
+    # A hundred times as many turns leave less than 10⁻⁹ of it: rounding, and the tolerance by hand, 10⁻¹⁰
     enough = {option: 100 * turns} | ({"solver_residual": 0.0} if name == "pybullet" else {})
     assert apart(**enough) < 1e-9
 
