@@ -188,7 +188,8 @@ def line_style(line: Line, thin: bool = False, as_counted: bool = False) -> dict
 
 def _own_ids(text: str, name: str) -> str:
     """The SVG element alone, its ids prefixed, its numbers short; none for texts and ticks, to which nothing refers."""
-    svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
+    # A hundredth of a point is not seen. The labels between the tags keep their digits.
+    svg = re.sub(r">[^<]*<|(\.\d\d)\d+", lambda found: found[1] or found[0], text[text.index("<svg") :])
     svg = re.sub(r'<g id="(?:text|patch|[xy]tick|matplotlib)[^"]*">', "<g>", svg)
     for number, long in enumerate(re.findall(r'\bid="([mp][0-9a-f]{8,})"', svg)):  # of markers and clips
         svg = svg.replace(long, f"m{number}")

@@ -9,7 +9,9 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.errors import InvalidInput
-from reference.scene.scenario import Scenario
+from reference.scene.query import bodies_of
+from reference.scene.scenario import Body, Scenario
+from reference.scene.survey import Survey
 from reference.viewer.clip import DASHES, LOOKS, Clip, Run, Solid
 from reference.viewer.contacts import touches
 from reference.viewer.picture_bounds import framed
@@ -28,9 +30,17 @@ def clip(scenario: Scenario, runs: Mapping[str, Poses], title: str = "", hidden:
         If the runs are not sampled alike, or a body is not in the scenario.
     """
     rate, looks = _rate(runs), _looks(runs)
-    solids = tuple(Solid(body.name, body.shape, body.position, body.orientation) for body in scenario.bodies)
+    solids = tuple(Solid(body.name, body.shape, body.position, body.orientation) for body in _drawn(scenario))
     found = [_run(scenario, poses, name, looks[name], name not in hidden) for name, poses in runs.items()]
     return framed(Clip(title or scenario.name, rate, solids, tuple(found)))
+
+
+def _drawn(scenario: Scenario) -> tuple[Body, ...]:
+    """The bodies of a clip: of a survey only those that are watched, which the many bodies of its questions would hide."""
+    if not isinstance(scenario, Survey):
+        return scenario.bodies
+    watched = {body.name for query in scenario.watched for body in bodies_of(query)}
+    return tuple(body for body in scenario.bodies if body.name in watched)
 
 
 def _run(scenario: Scenario, poses: Poses, name: str, look: int, shown: bool) -> Run:
