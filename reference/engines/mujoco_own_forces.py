@@ -1,13 +1,13 @@
-"""Springs and fluids in MuJoCo's own words.
+"""Springs and fluids by MuJoCo's own means.
 
 A spring is a spatial tendon between two sites, with its stiffness and its damping. MuJoCo computes the force of a
-tendon at the start of a step, as the lab does from outside. Its integrator `Euler` treats the damping of joints
-implicitly, and that of tendons not.
+tendon at the start of a step, as the lab does for the other engines. Its integrator `Euler` treats the damping of
+joints implicitly, and that of tendons explicitly.
 
-A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo gets no
-density: with one its models add forces beyond Stokes' law, which grow with the square of the velocity. `ellipsoid`,
-the model of a geom, has Stokes' drag of a ball, and `inertia box`, the model of a body, that of a cube of the same
-inertia.
+A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo is given
+no density: with a density its models add forces beyond Stokes' law, which grow with the square of the velocity. In the
+profile `ellipsoid`, the model of a geom, a ball has Stokes' drag. In the profile `inertia box`, the model of a body, it
+has the drag of a cube with the same inertia.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def check(model: Any, scenario: Scenario, settings: Settings) -> None:
 
 
 def has_tendons(settings: Settings) -> bool:
-    """Whether MuJoCo is told of springs in its own words."""
+    """Whether MuJoCo has the springs as tendons of its own."""
     return settings.options.get("springs") == TENDONS
 
 
@@ -73,7 +73,7 @@ def check_tendons(model: Any, scenario: Scenario) -> None:
 
 
 def of_fluid(settings: Settings) -> bool:
-    """Whether MuJoCo is told of the fluid in its own words."""
+    """Whether MuJoCo has the fluid as one of its own."""
     return settings.options.get("fluid") in FLUIDS
 
 
@@ -108,7 +108,7 @@ def check_fluid(model: Any, scenario: Scenario, settings: Settings) -> None:
 
 
 def from_outside(scenario: Scenario, settings: Settings) -> Scenario:
-    """The scenario with those forces alone that MuJoCo is not told of in its own words."""
+    """The scenario with only those forces that the lab computes for MuJoCo, step by step."""
     if has_tendons(settings):
         scenario = replace(scenario, springs=())
     return replace(scenario, fluid=()) if of_fluid(settings) else scenario

@@ -1,4 +1,4 @@
-"""Figures in fewer bytes: a long line as steps of a tenth of a point, and no blanks between elements."""
+"""Makes figures smaller: writes a long line in steps of a tenth of a point, and leaves out blanks between elements."""
 
 from __future__ import annotations
 
