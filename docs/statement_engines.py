@@ -1,4 +1,4 @@
-"""Which scenarios put a statement of the lecture to the test, and what each implementation made of them.
+"""Which scenarios put a statement of the lecture to the test, and what each implementation's results are.
 
 `python docs/statement_engines.py` runs the hand-written code, reads what the engines were recorded with, and keeps the
 count of verdicts in docs/statement_verdicts.json; `statement_table.py` makes columns of it.

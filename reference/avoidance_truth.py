@@ -1,4 +1,4 @@
-"""Closed forms of avoidance: how near bodies come that do not avoid each other, and where they wait for ever."""
+"""Closed forms of avoidance: how near bodies come that do not avoid each other, and where they wait forever."""
 
 from __future__ import annotations
 

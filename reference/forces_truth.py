@@ -1,4 +1,4 @@
-"""Closed forms of motions under forces without contact, each with its derivation, and how far a step method is off.
+"""Closed forms of motions under forces without contact, each with its derivation, and the error of a step method.
 
 Symbols: v velocity, a acceleration, g gravity, m mass, k stiffness, c damping, dt timestep; SI throughout.
 """

@@ -1,4 +1,4 @@
-"""Closed forms for solids with flat faces: what of a line lies within them.
+"""Closed forms for solids with flat faces: which part of a line lies within them.
 
 Lengths in m. A plane is n·x = o, with the unit normal n out of the solid.
 """

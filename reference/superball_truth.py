@@ -1,4 +1,4 @@
-"""A ball that strikes a rough wall in space: the impact in closed form, and what a superball makes of it."""
+"""A ball that strikes a rough wall in space: the impact in closed form, and the impact of a superball."""
 
 from __future__ import annotations
 

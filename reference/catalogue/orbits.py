@@ -1,6 +1,7 @@
-"""Numbers of two bodies that attract each other, taken from a trajectory: apsides, period, and what should be kept.
+"""Numbers of two bodies that attract each other, taken from a trajectory: apsides, period, and what is conserved.
 
-All are of the motion of the first body as seen from the second, whatever the centre of the two does.
+All numbers describe the motion of the first body as seen from the second, so that the motion of their centre does not
+matter.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Numbers of a spring that swings, taken from a trajectory.
 
-The samples of a swing are smooth: those of the true one, and those of every step method. So a polynomial through six
-neighbouring samples says what is between them, to (ω dt)⁶ of the swing.
+The samples of a swing lie on a smooth curve, in theory and for every step method. So a polynomial through six
+neighbouring samples gives the values between them, to (ω dt)⁶ of the swing.
 """
 
 from __future__ import annotations

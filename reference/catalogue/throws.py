@@ -1,4 +1,4 @@
-"""Numbers of a throw, taken from a trajectory: where and when it is highest, and where it is back at its launch height.
+"""Numbers of a throw, taken from a trajectory: where and when it is highest, and where it lands at its launch height.
 
 Two neighbouring samples and the known acceleration fix a parabola in space, p(t) = p_i + w (t − t_i) +
 a (t − t_i)(t − t_{i+1})/2, w = (p_{i+1} − p_i)/(t_{i+1} − t_i). The samples of the exact flight lie on it, and so do

@@ -1,7 +1,7 @@
 """Surveys in DART: rays of its own detector, and distances of the Flexible Collision Library, both of triangles.
 
-DART reads a mesh from a file, in single precision. Triangles have no inside: a ball that no triangle touches is as far
-away from them within the solid as outside of it.
+DART reads a mesh from a file, in single precision. Triangles have no inside: a ball that touches no triangle has a
+positive distance from them, within the solid as well as outside.
 """
 
 from __future__ import annotations

@@ -81,7 +81,7 @@ class MuJoCo(Engine):
             found[SWEPT] = "contact a step ahead"
         elif scenario.pairs and not geometry.starts_in_contact(scenario) and not scenario.steering:
             found["spring"] = "spring–dashpot contact"
-        if scenario.in_flight and len(scenario.springs) == 1:  # a mesh of many is told from outside alone
+        if scenario.in_flight and len(scenario.springs) == 1:  # the lab computes the forces of a whole mesh
             found[TENDONS] = "a tendon for the spring"
         if on_one_spring(scenario):
             found[JOINT] = "a sliding joint with a spring"
@@ -213,7 +213,7 @@ def _state(state: Any, movable: list[int], fixed: list[list[float]], joint: Slid
 
 
 def _push(state: Any, loads: Loads, movable: list[int], fixed: list[list[float]], time: float) -> None:
-    """Tell MuJoCo the forces and torques that act until they are told anew; its body 0 is the world."""
+    """Hand MuJoCo the forces and torques that act until the next ones are handed over; its body 0 is the world."""
     if loads.kept(time) is not None:
         return  # they are as they were told
     numbers = np.array(_state(state, movable, fixed)).reshape(len(fixed), 13)

@@ -1,13 +1,13 @@
-"""Springs and fluids in MuJoCo's own words.
+"""Springs and fluids by MuJoCo's own means.
 
 A spring is a spatial tendon between two sites, with its stiffness and its damping. MuJoCo computes the force of a
-tendon at the start of a step, as the lab does from outside. The spring of a ball that moves along it alone may also be
-that of a sliding joint. Of that one the integrator `Euler` takes the damping as it will be at the end of the step.
+tendon at the start of a step, as the lab does for the other engines. The spring of a ball that moves along it alone may
+also be that of a sliding joint. The integrator `Euler` takes the damping of a joint as it will be at the end of the step.
 
-A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo gets no
-density: with one its models add forces beyond Stokes' law, which grow with the square of the velocity. `ellipsoid`,
-the model of a geom, has Stokes' drag of a ball, and `inertia box`, the model of a body, that of a cube of the same
-inertia.
+A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo is given
+no density: with a density its models add forces beyond Stokes' law, which grow with the square of the velocity. In the
+profile `ellipsoid`, the model of a geom, a ball has Stokes' drag. In the profile `inertia box`, the model of a body, it
+has the drag of a cube with the same inertia.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def check(model: Any, scenario: Scenario, settings: Settings) -> None:
 
 
 def has_tendons(settings: Settings) -> bool:
-    """Whether MuJoCo is told of springs in its own words."""
+    """Whether MuJoCo has the springs as tendons of its own."""
     return settings.options.get("springs") == TENDONS
 
 
@@ -97,7 +97,7 @@ def check_joint(model: Any, joint: SlidingJoint) -> None:
 
 
 def of_fluid(settings: Settings) -> bool:
-    """Whether MuJoCo is told of the fluid in its own words."""
+    """Whether MuJoCo has the fluid as one of its own."""
     return settings.options.get("fluid") in FLUIDS
 
 
@@ -132,7 +132,7 @@ def check_fluid(model: Any, scenario: Scenario, settings: Settings) -> None:
 
 
 def from_outside(scenario: Scenario, settings: Settings) -> Scenario:
-    """The scenario with those forces alone that MuJoCo is not told of in its own words."""
+    """The scenario with only those forces that the lab computes for MuJoCo, step by step."""
     if has_tendons(settings) or has_joint(settings):
         scenario = replace(scenario, springs=())
     return replace(scenario, fluid=()) if of_fluid(settings) else scenario

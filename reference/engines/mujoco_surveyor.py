@@ -1,7 +1,7 @@
 """Surveys in MuJoCo: its rays meet the triangles of a mesh, and its distances are those of the convex hull.
 
-A mesh is kept in single precision, about its own centre of mass. A solid that is not convex is therefore told as convex
-pieces, one geom each, where distances are to be right.
+MuJoCo keeps a mesh in single precision, about its own centre of mass. Where distances have to be right, a concave solid
+is described as convex pieces, one geom each.
 """
 
 from __future__ import annotations

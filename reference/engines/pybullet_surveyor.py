@@ -1,7 +1,8 @@
 """Surveys in PyBullet: a solid of triangles where it is given its faces, a convex hull where only its vertices.
 
 Bullet adds a margin to a hull, 1 mm unless it is told otherwise, and none to triangles. Without any margin many rays
-miss a hull, so rays ask the triangles. These have no inside: a ball among them is as far from them as it is.
+miss a hull, so tuned rays meet the triangles. Triangles have no inside: the gap of a ball is its distance from the
+nearest triangle, wherever the ball is.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The steering rules of a scenario, asked of an implementation: the force with which each body moves itself.
 
-All engines and the recurrence ask here, so a student's rule steers the bodies of every engine. Each rule is a function
-of the lecture; here is how a scenario is told to it, and how its answer becomes a force.
+All engines and the recurrence use this module, so a student's rule steers the bodies of every engine. Each rule is a
+function of the lecture. The module passes a scenario to the rule and turns the velocity that it returns into a force.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Runs a survey: its questions, answered by what an implementation knows of rays and of distances.
+"""Runs a survey: answers its questions by an implementation's rays and distances.
 
-An engine has no word for "inside". A point is inside where a ray from it crosses the surface an odd number of times, or
-where a tiny ball there overlaps the solid: `inside_by` says which of the two is asked. The segment's length within a
-solid lies between its crossings.
+No engine can say whether a point is inside. A point is inside where a ray from it crosses the surface an odd number of
+times, or where a tiny ball at that point overlaps the solid; `inside_by` says which of the two is used. The length of a
+segment within a solid follows from its crossings.
 """
 
 from __future__ import annotations

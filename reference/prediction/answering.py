@@ -1,10 +1,10 @@
-"""What an implementation must answer in a survey, from what a solid is to it.
+"""What an implementation must answer in a survey, given how it represents a solid.
 
-By hand a solid is its surface and what that encloses. An engine's settings say what it is to the engine: its
-triangles, which have no inside, its convex hull, or convex pieces. Bullet makes a hull thicker by its margin, and puts
-the vertices of a hull on a grid: between the least and the largest coordinate along each axis there are 10216 steps,
-and a vertex moves towards the middle to the next of them (`btConvexHullComputer`). A ray of Bullet's at a hull advances
-by what is surely free, and ends within 1 mm of the hull (`btGjkConvexCast`).
+For the hand-written code a solid is its surface and everything that the surface encloses. An engine's settings say how
+the engine represents it: as triangles, which have no inside, as its convex hull, or as convex pieces. Bullet makes a
+hull thicker by its margin, and puts the vertices of a hull on a grid: between the least and the largest coordinate
+along each axis there are 10216 steps, and a vertex moves to the next step towards the middle (`btConvexHullComputer`).
+A ray of Bullet's at a hull advances by what is surely free, and ends within 1 mm of the hull (`btGjkConvexCast`).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""One step of each integrator, for an acceleration that depends on places and velocities; both are (bodies, 3)."""
+"""One step of each integrator, for an acceleration that depends on positions and velocities, (bodies, 3) each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bodies that forces move and no contact: semi-implicit Euler, which all our engines share."""
+"""Bodies that are moved by forces without contact: semi-implicit Euler, which all engines share."""
 
 from __future__ import annotations
 

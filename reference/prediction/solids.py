@@ -1,4 +1,4 @@
-"""Geometry of polyhedra for predictions: plain, slow and apart from what it judges.
+"""Geometry of polyhedra for predictions: plain, slow, and independent of the code that it judges.
 
 Corners of triangles are arrays (f, 3, 3), m. The hull is found by trying every triple of vertices.
 """

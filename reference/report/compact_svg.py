@@ -1,4 +1,4 @@
-"""Figures in fewer bytes: long lines as steps of a tenth of a point, one style for all markers of a line, no blanks."""
+"""Makes figures smaller: long lines in steps of a tenth of a point, one style for the markers of a line, no blanks."""
 
 from __future__ import annotations
 

@@ -188,7 +188,8 @@ def line_style(line: Line, thin: bool = False, as_counted: bool = False) -> dict
 
 def _own_ids(text: str, name: str) -> str:
     """The SVG element alone, its ids prefixed, its numbers short; of lines only those in the legend keep their ids."""
-    svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
+    # A hundredth of a point is not seen. The labels between the tags keep their digits.
+    svg = re.sub(r">[^<]*<|(\.\d\d)\d+", lambda found: found[1] or found[0], text[text.index("<svg") :])
     svg = re.sub(r'<g id="(?:text|patch|[xy]tick|matplotlib)[^"]*">', "<g>", svg)
     drawn, legend, explained = svg.partition('<g id="legend')
     svg = re.sub(r'<g id="line2d[^"]*">', "<g>", drawn) + legend + explained  # nothing refers to a line or a tick

@@ -1,7 +1,8 @@
-"""Formulas in prose, which stand between backticks: typeset as MathML for a page, or plain for a terminal.
+"""Formulas and code in prose, both between backticks: typeset as MathML or code for a page, or plain for a terminal.
 
 A formula is written as one would type it: `t₁ (1 + e)/(1 − e)`. A stroke divides all factors before it, up to the last
 sum or relation, by the one factor behind it; brackets that only hold a fraction or a power together are not printed.
+A name of three letters or more, such as `mesh_step`, is code and no formula.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from collections.abc import Sequence
 from markupsafe import Markup, escape
 
 _FORMULA = re.compile(r"`([^`]+)`")
+_CODE = re.compile(r"(?!sin|cos|tan)[A-Za-z]{3,}\w*( \w+)*(=\w+)?")
+"""A name in code, a profile of two words, or an option with its value."""
 _TOKEN = re.compile(
     r"(?P<raised>[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]+)|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₙ]+|_[^\W_]+)|\s*(?P<number>[0-9]+(\.[0-9]+)?)"
     r"|\s*(?P<name>sin|cos|tan|dt|[^\W\d_])|\s*(?P<sign>[-+−=<>≤≥≈≠·×±√/(),^])"
@@ -28,9 +31,13 @@ def plain(text: str) -> str:
 
 
 def typeset(text: str) -> Markup:
-    """The text for a page: formulas in MathML, everything else escaped."""
+    """The text for a page: formulas in MathML, names in code as code, everything else escaped."""
     parts = _FORMULA.split(text)  # prose and formulas in turn
-    return Markup("").join(mathml(part) if place % 2 else escape(part) for place, part in enumerate(parts))
+    return Markup("").join(_marked(part) if place % 2 else escape(part) for place, part in enumerate(parts))
+
+
+def _marked(part: str) -> Markup:
+    return Markup("<code>{}</code>").format(part) if _CODE.fullmatch(part) else mathml(part)
 
 
 def mathml(formula: str) -> Markup:
@@ -93,6 +100,7 @@ def _factor(tokens: list[tuple[str, str]]) -> str:
     if not tokens:
         raise ValueError("a formula ends in the middle")
     kind, text = tokens.pop(0)
+    name = text
     if text == "√":
         found = f"<msqrt>{_unbracketed(_factor(tokens))}</msqrt>"
     elif text == "(":
@@ -107,7 +115,7 @@ def _factor(tokens: list[tuple[str, str]]) -> str:
     elif text == "dt":
         found = "<mrow><mi>d</mi><mi>t</mi></mrow>"
     elif kind == "name":
-        found = f"<mi>{escape(text)}</mi>" + ('<mspace width="0.17em"/>' if text in _FUNCTIONS else "")
+        found = f"<mi>{escape(text)}</mi>"
     else:
         found = f"<mo>{escape(text)}</mo>"
     while tokens and (tokens[0][0] in ("raised", "lowered") or tokens[0][1] == "^"):
@@ -117,7 +125,18 @@ def _factor(tokens: list[tuple[str, str]]) -> str:
             continue
         tag, small = ("msup", text.translate(_RAISED)) if kind == "raised" else ("msub", text.translate(_LOWERED))
         found = f"<{tag}>{found}<mtext>{escape(small.lstrip('_'))}</mtext></{tag}>"
-    return found
+    return _applied(found, tokens) if name in _FUNCTIONS else found
+
+
+def _applied(function: str, tokens: list[tuple[str, str]]) -> str:
+    """A function with what it is applied to, `2φ` in `sin 2φ`, as one factor: a stroke divides by all of it."""
+    of = ""
+    while tokens and tokens[0][0] in ("number", "name"):
+        kind, _ = tokens[0]
+        of += _factor(tokens)
+        if kind == "name":
+            break
+    return f'<mrow>{function}<mspace width="0.17em"/>{of}</mrow>'
 
 
 def _row(factors: Sequence[str]) -> str:

@@ -48,8 +48,8 @@ def size(value: float, unit: str) -> str:
     """A positive value with a prefix and two or three digits; the limits are those at which rounding changes both."""
     if value == 0:
         return f"0 {unit}".strip()
-    if not unit:
-        return _few_digits(value) if value >= _LEAST else _below(value)
+    if unit in ("", "°"):  # neither has prefixes
+        return f"{_few_digits(value) if value >= _LEAST else _below(value)} {unit}".strip()
     for factor, prefix in _PREFIXES:
         if value >= factor * (0.0995 if factor == 1 else 0.995):  # 0.51 m, not 510 mm
             return f"{_few_digits(value / factor)} {prefix}{unit}"

@@ -128,17 +128,49 @@ def _sentence(lines: Sequence[Line], opening: str = "") -> str:
     parts = []
     for verdict, words in _SAID.items():
         own = [line for line in lines if line.whole.verdict is verdict]
-        if len(own) == 1:
-            words = _of_one(words)
+        some = {_lacking(line) for line in own}
+        if len(some) == 1 and "" not in some:
+            words, who = f"{{who}} {some.pop()}", _names(own, lines)
+        elif verdict is Verdict.PASS:
+            who = _names(own, lines)
+        else:
+            who = [_named(line, lines) for line in own]
         if own:
-            parts.append(words.format(who=_listed([_named(line, verdict) for line in own])))
+            parts.append((_of_one(words) if len(who) == 1 else words).format(who=_listed(who)))
     return f"{_capital(opening + '; '.join(parts))}." if parts else ""
 
 
-def _named(line: Line, verdict: Verdict) -> str:
-    """An implementation, with the number that is furthest from theory unless all are near it."""
-    name = line.name
-    return f"{name} ({line.whole.in_words})" if verdict is not Verdict.PASS and line.whole.in_words else name
+def _lacking(line: Line) -> str:
+    """What is said of an implementation that cannot express some of the cases; empty where it is not so."""
+    cases = line.whole.in_words.removeprefix(f"{Verdict.CANNOT_EXPRESS}: ")
+    if line.whole.verdict is not Verdict.CANNOT_EXPRESS or not cases:
+        return ""
+    others = {row.verdict for row in line.result.rows} - {Verdict.CANNOT_EXPRESS, Verdict.SHOWN}
+    agrees = " and agree with theory in the others" if others == {Verdict.PASS} else ""
+    return f"cannot express {cases}{agrees}"
+
+
+def _names(own: Sequence[Line], lines: Sequence[Line]) -> list[str]:
+    """The names of implementations; one that all lines of its name share stands once, without its methods."""
+    names: dict[str, None] = {}
+    for line in own:
+        alike = [other for other in lines if other.name == line.name]
+        names[line.name if all(other in own for other in alike) else _name(line, lines)] = None
+    return list(names)
+
+
+def _named(line: Line, lines: Sequence[Line]) -> str:
+    """An implementation, with the number that is furthest from theory."""
+    name = _name(line, lines)
+    return f"{name} ({line.whole.in_words})" if line.whole.in_words else name
+
+
+def _name(line: Line, lines: Sequence[Line]) -> str:
+    """An implementation, with its method where other lines have its name too."""
+    if sum(other.name == line.name for other in lines) == 1:
+        return line.name
+    kind = "by the method" if _by_hand(line) else "in the profile"
+    return f"{line.name} {kind} {line.result.job.profile}"
 
 
 def _by_hand(line: Line) -> bool:

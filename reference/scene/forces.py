@@ -1,4 +1,4 @@
-"""Forces besides weight and contact: pushes, springs, attractions and a fluid, in SI units and in no engine's words."""
+"""Forces besides weight and contact: pushes, springs, attractions and a fluid, in SI units, for any engine."""
 
 from __future__ import annotations
 

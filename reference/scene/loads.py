@@ -1,4 +1,4 @@
-"""What the forces of a scenario add up to on each body: for engines that are told forces step by step, and predictions.
+"""The sum of a scenario's forces on each body, for predictions and for engines that get forces step by step.
 
 Arrays have bodies along their last axis but one, in the scenario's order, and any axes before.
 """
@@ -30,7 +30,7 @@ class Steers(Protocol):
 class Loads:
     """Pushes, springs, attractions, fluid and steering of one scenario.
 
-    only_pushes: leave springs, attractions and fluid out, for an engine that is told of them in its own words. steers:
+    only_pushes: leave springs, attractions and fluid out, for an engine that has them itself. steers:
     what the scenario's steering rules ask for. Its code is an implementation's, which this folder does not know, and it
     remembers what it was told, so that each run needs its own.
     """

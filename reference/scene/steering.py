@@ -1,6 +1,6 @@
 """Steering: bodies that move by themselves, each with a force that a rule of the lecture asks for.
 
-The rule is said by name. Which code has that name is the engine's business: it asks its implementation.
+A scenario names the rule. An engine takes the function of that name from its implementation.
 """
 
 from __future__ import annotations

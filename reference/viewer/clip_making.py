@@ -8,8 +8,12 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from reference.arrays import Array
+from reference.checks import Vector
 from reference.errors import InvalidInput
-from reference.scene.scenario import Scenario
+from reference.scene import geometry
+from reference.scene.query import bodies_of
+from reference.scene.scenario import Body, Scenario
+from reference.scene.survey import Survey
 from reference.viewer.clip import DASHES, LOOKS, Clip, Run, Solid
 from reference.viewer.contacts import touches
 from reference.viewer.picture_bounds import framed
@@ -28,9 +32,21 @@ def clip(scenario: Scenario, runs: Mapping[str, Poses], title: str = "", hidden:
         If the runs are not sampled alike, or a body is not in the scenario.
     """
     rate, looks = _rate(runs), _looks(runs)
-    solids = tuple(Solid(body.name, body.shape, body.position, body.orientation) for body in scenario.bodies)
+    solids = tuple(Solid(body.name, body.shape, body.position, body.orientation) for body in _drawn(scenario))
     found = [_run(scenario, poses, name, looks[name], name not in hidden) for name, poses in runs.items()]
-    return framed(Clip(title or scenario.name, rate, solids, tuple(found)))
+    ends = _ends(scenario)
+    springs = tuple(
+        (ends[spring.body_a, spring.point_a], ends[spring.body_b, spring.point_b]) for spring in scenario.springs
+    )
+    return framed(Clip(title or scenario.name, rate, solids, tuple(found), springs))
+
+
+def _drawn(scenario: Scenario) -> tuple[Body, ...]:
+    """The bodies of a clip: of a survey only those that are watched, which those of its questions would hide."""
+    if not isinstance(scenario, Survey):
+        return scenario.bodies
+    watched = {body.name for query in scenario.watched for body in bodies_of(query)}
+    return tuple(body for body in scenario.bodies if body.name in watched)
 
 
 def _run(scenario: Scenario, poses: Poses, name: str, look: int, shown: bool) -> Run:
@@ -41,8 +57,28 @@ def _run(scenario: Scenario, poses: Poses, name: str, look: int, shown: bool) ->
     whole = Poses(poses.title, poses.bodies, poses.times[:count], positions, poses.orientations[:count])
     values = np.concatenate([positions, whole.orientations], axis=-1)
     found = tuple(touches(scenario, whole))
-    nothing = np.zeros((count, 0, 3))
-    return Run(poses.title or name, look, poses.bodies, values, nothing, found, shown, poses.recording)
+    return Run(poses.title or name, look, poses.bodies, values, _points(scenario, whole), found, shown, poses.recording)
+
+
+def _ends(scenario: Scenario) -> dict[tuple[str, Vector], int]:
+    """The points at which springs end, by body and by the point in its own axes, each once, with its number."""
+    both = (((it.body_a, it.point_a), (it.body_b, it.point_b)) for it in scenario.springs)
+    return {end: number for number, end in enumerate(dict.fromkeys(itertools.chain.from_iterable(both)))}
+
+
+def _points(scenario: Scenario, poses: Poses) -> Array:
+    """Where springs end at each sample, (n, ends, 3), m."""
+    found = np.zeros((len(poses.times), len(_ends(scenario)), 3))
+    for (name, point), number in _ends(scenario).items():
+        if name in poses.bodies:
+            body = poses.bodies.index(name)
+            found[:, number] = poses.positions[:, body] + geometry.rotate(poses.orientations[:, body], np.array(point))
+        elif name:
+            body_at = scenario.body(name)
+            found[:, number] = body_at.position + geometry.rotate(np.array(body_at.orientation), np.array(point))
+        else:
+            found[:, number] = point
+    return found
 
 
 def mesh_clip(

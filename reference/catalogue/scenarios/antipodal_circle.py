@@ -77,9 +77,9 @@ ANTIPODAL_CIRCLE = Family(
     title="Across a circle, and through each other's way",
     topic="avoidance",
     statements=(1,),
-    about=f"{len(RADII)} walkers of unequal size and mass stand on a circle with a radius of {CIRCLE:g} m. Each wants"
-    f" to reach the opposite side, {ASIDE:g}° to the right, at up to {MAX_SPEED:g} m/s. Every {1e3 * INTERVAL:g} ms the"
-    " rule `crowd_step` (reciprocal avoidance, ORCA) says which velocity each walker should have, and a force of up to"
+    about=f"Six walkers of unequal size and mass stand on a circle with a radius of {CIRCLE:g} m. Each wants to reach"
+    f" the opposite side, {ASIDE:g}° to the right, at up to {MAX_SPEED:g} m/s. Every {1e3 * INTERVAL:g} ms the rule"
+    " `crowd_step` (reciprocal avoidance, ORCA) says which velocity each walker should have, and a force of up to"
     f" {FORCE:g} N brings that velocity about. Each walker counts as {1e3 * MARGIN:g} mm larger than it is. The rule"
     " looks τ seconds ahead. One hand-written function steers the bodies of every implementation. In the case head-on"
     " two walkers approach each other on one line.",
@@ -98,7 +98,7 @@ ANTIPODAL_CIRCLE = Family(
         " implementations.",
         "The deadlock is a fault of the rule and not of an engine: in all four implementations the two walkers stop in"
         " the same places. A goal that lies a few degrees to the right is enough to avoid it. Their gap shrinks as"
-        " `exp(−t/τ)`. At the end of the run they are 2.7 mm short of the place where they would meet, whatever the"
+        " `e^(−t/τ)`. At the end of the run they are 2.7 mm short of the place where they would meet, whatever the"
         " timestep.",
     ),
     cases=(_on_a_circle(1.0), _on_a_circle(0.3), _head_on(1.0)),

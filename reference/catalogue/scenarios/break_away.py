@@ -1,4 +1,4 @@
-"""A slab at rest under a push that grows until friction holds it no more (slides 23 and 24)."""
+"""A slab at rest under a push that grows until friction can no longer hold it (slides 23 and 24)."""
 
 from __future__ import annotations
 

@@ -107,10 +107,10 @@ FLOCK_PAST_PILLAR = Family(
     title="A flock flies around a pillar",
     topic="avoidance",
     statements=(1,),
-    about=f"{len(BOIDS)} boids of unequal size and mass, on somewhat different courses, meet a fixed pillar that is"
-    f" turned by 25° from their way. Every {1e3 * INTERVAL:g} ms `flock_step` turns separation, alignment and cohesion"
-    " into a velocity, and `steer_around` turns it towards a goal behind the pillar, past the pillar's bounding sphere."
-    f" A force of up to {LEGS:g} N brings that velocity about. w is the weight of separation, in m²/s². Where it is"
+    about="Seven boids of unequal size and mass, on somewhat different courses, meet a fixed pillar that is turned by"
+    f" 25° from their way. Every {1e3 * INTERVAL:g} ms `flock_step` turns separation, alignment and cohesion into a"
+    " velocity, and `steer_around` turns it towards a goal behind the pillar, past the pillar's bounding sphere. A"
+    f" force of up to {LEGS:g} N brings that velocity about. w is the weight of separation, in m²/s². Where it is"
     " small the bodies may pass through each other.",
     expected="Nobody touches the pillar or another boid, nobody exceeds the top speed, and nobody stays behind. Past"
     " the pillar all boids fly side by side again: the mean of their directions has the length 1. Theory does not say"

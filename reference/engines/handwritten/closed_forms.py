@@ -1,4 +1,4 @@
-"""Which motions of balls that meet nothing have a closed form among the lecture's functions."""
+"""Decides which motions of balls that meet nothing have a closed form among the lecture's functions."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Balls that meet nothing, under all kinds of forces: their closed form, or steps of semi-implicit Euler.
 
-All physics comes from the implementation's functions; here is which of them a scenario needs.
+All physics comes from the implementation's functions; this module decides which of them a scenario needs.
 """
 
 from __future__ import annotations

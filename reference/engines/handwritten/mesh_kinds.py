@@ -1,4 +1,4 @@
-"""Which scenarios are spring meshes that the mesh topic's own functions answer: those that settle, and that vibrate."""
+"""Decides which scenarios the functions of the mesh topic can run: spring meshes that settle or vibrate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What kind a scenario is, which says the driver that can run it: a point over a plane, two bodies, a row of balls."""
+"""What kind a scenario is, and so which driver can run it: a point over a plane, two bodies, a row of balls."""
 
 from __future__ import annotations
 

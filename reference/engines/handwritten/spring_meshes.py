@@ -28,7 +28,7 @@ the rest lengths leaves more than 10⁻¹⁰ of it."""
 def settle(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
-    """A mesh that comes to rest: with `exact_root` it is in that shape at once, with `at_step` it steps there."""
+    """A mesh that comes to rest: with `exact_root` it takes its last shape at once, with `at_step` it steps there."""
     return _run(_Settling, engine, scenarios, settings, steps, implementation)
 
 

@@ -1,7 +1,7 @@
 """Published distances and times of impact in the engines, by their own distances of two bodies.
 
-No engine here is asked directly when a moving body meets another. Conservative advancement makes the time of impact out
-of distances: a body that is d away and moves at the speed v cannot touch before d/v, so it may move on for so long.
+No engine is asked directly when a moving body meets another. Conservative advancement finds the time of impact from
+distances: a body at the distance d that moves at the speed v cannot touch before d/v, so it may move on for that long.
 """
 
 from __future__ import annotations

@@ -10,6 +10,10 @@ from reference.catalogue.scenarios import catalogue
 from reference.report.formulas import mathml, plain, typeset
 
 
+def _over(above, function, of):
+    return f'<mfrac>{above}<mrow>{function}<mspace width="0.17em"/>{of}</mrow></mfrac>'
+
+
 @pytest.mark.parametrize(
     ("formula", "expected"),
     [
@@ -22,6 +26,9 @@ from reference.report.formulas import mathml, plain, typeset
         ("√(2 h)", "<msqrt><mrow><mn>2</mn><mi>h</mi></mrow></msqrt>"),
         ("dt²", "<msup><mrow><mi>d</mi><mi>t</mi></mrow><mtext>2</mtext></msup>"),
         ("e^(−β t)", "<msup><mi>e</mi><mrow><mo>−</mo><mi>β</mi><mi>t</mi></mrow></msup>"),
+        ("1/cos φ", _over("<mn>1</mn>", "<mi>cos</mi>", "<mi>φ</mi>")),
+        ("1/sin 2φ", _over("<mn>1</mn>", "<mi>sin</mi>", "<mn>2</mn><mi>φ</mi>")),
+        ("1/cos² φ", _over("<mn>1</mn>", "<msup><mi>cos</mi><mtext>2</mtext></msup>", "<mi>φ</mi>")),
         ("a ≤ b", "<mi>a</mi><mo>≤</mo><mi>b</mi>"),
         ("a < b", "<mi>a</mi><mo>&lt;</mo><mi>b</mi>"),
     ],
@@ -45,6 +52,11 @@ def test_a_broken_formula_is_refused(broken):
 def test_prose_about_a_formula_is_escaped_and_the_terminal_has_no_backticks():
     assert typeset("a < `b` & c") == "a &lt; <math><mi>b</mi></math> &amp; c"
     assert plain("the share `d/2` of it") == "the share d/2 of it"
+
+
+@pytest.mark.parametrize("name", ["mesh_step", "ccdSweptSphereRadius", "inertia box", "enableConeFriction=0"])
+def test_a_name_in_code_is_no_formula(name):
+    assert typeset(f"with `{name}` alone") == f"with <code>{name}</code> alone"
 
 
 def test_every_formula_of_the_catalogue_can_be_typeset():

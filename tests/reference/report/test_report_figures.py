@@ -200,6 +200,14 @@ def test_titles_and_units_are_text_in_the_figures():
         assert text in study
 
 
+def test_labels_of_an_axis_keep_the_digits_that_tell_them_apart():
+    times = tuple(0.01 * step for step in range(200))
+    svg = figures.trajectories(alone(series=Series(times, tuple(0.07 + 0.004 * time for time in times))))
+    labels = [text for text in ElementTree.fromstring(svg).itertext() if re.fullmatch(r"0\.07\d*", text)]
+    assert len(labels) > 3
+    assert len(set(labels)) == len(labels)
+
+
 def test_markup_in_a_title_cannot_break_the_figure():
     svg = figures.trajectories(alone(title='<b>ours</b> & "theirs"'))
     assert legend(svg)[0].label == '<b>ours</b> & "theirs", exact'

@@ -35,6 +35,31 @@ def test_what_counts_is_told_verdict_by_verdict_with_the_worst_number():
     assert plain(found) == ""
 
 
+def test_methods_of_hand_written_code_are_named_where_their_results_differ():
+    exact, world = result(REST, "handwritten", "exact"), result(REST, "handwritten", "world")
+    assert counted(section(exact, world)) == "Hand-written code agrees with theory in every check."
+    away = changed(world, verdict=Verdict.KNOWN_DEVIATION, measured=0.5)
+    assert counted(section(exact, away)) == (
+        "Hand-written code by the method exact agrees with theory in every check;"
+        " hand-written code by the method world (time of rest +25 %) differs as the method must."
+    )
+
+
+def test_engines_that_lack_the_same_cases_are_told_together():
+    first, *others = (result(REST, name, "tuned") for name in ("pybullet", "mujoco", "dart"))
+    lacking = {"verdict": Verdict.CANNOT_EXPRESS, "quantity": "", "measured": None}
+    gone = first.rows[0].case
+    some = [
+        replace(each, rows=(replace(each.rows[0], **lacking), *(row for row in each.rows if row.case != gone)))
+        for each in (first, *others)
+    ]
+    assert counted(section(*some)) == (
+        "PyBullet, MuJoCo and DART cannot express 1 of 3 cases and agree with theory in the others."
+    )
+    late = replace(some[0], rows=(*some[0].rows[:-1], replace(some[0].rows[-1], verdict=Verdict.KNOWN_DEVIATION)))
+    assert counted(section(late)) == "PyBullet cannot express 1 of 3 cases."
+
+
 def test_what_is_plain_is_told_apart_for_engines_and_by_hand():
     wrong = changed(result(REST, "dart", "stock"), verdict=Verdict.FAIL, measured=None)
     found = section(result(REST, "handwritten", "step"), wrong)

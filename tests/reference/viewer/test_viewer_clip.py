@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -10,8 +11,10 @@ import pytest
 from clips import BALL, EVIL, RATE, bouncing, chain, flying, three_engines, unpacked
 from numpy.testing import assert_allclose
 
+from reference.catalogue.scenarios import catalogue
 from reference.errors import InvalidInput, UnknownName
-from reference.scene.scenario import Box, HalfSpace, Sphere
+from reference.scene.forces import Spring
+from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.viewer.camera import OBLIQUE, basis
 from reference.viewer.clip import DASHES, FINENESS, LOOKS, STEP, TURN, Clip, Run, Solid
 from reference.viewer.clip_making import clip, mesh_clip
@@ -288,3 +291,38 @@ def test_a_short_run_is_offered_in_stated_slow_motion():
     fast = clip(BALL, {"it": replaced(poses, times=poses.times / 20)})
     assert [label for _, label in read(three_engines())["speeds"]] == ["×¼", "×½", "×1", "×2"]
     assert [label for _, label in read(fast)["speeds"]] == ["×1/80", "×1/40", "×1/20", "×1/10"]
+
+
+# Scenarios with springs, and surveys
+
+
+def test_springs_of_a_scenario_end_where_its_bodies_are():
+    turned = (math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))  # a quarter turn about z
+    post = Body("post", Sphere(0.1), position=(0.0, 0.0, 2.0), orientation=turned)
+    bob = Body("bob", Sphere(0.1), 1.0, (1.0, 0.0, 0.0))
+    springs = (
+        Spring("bob", "post", 10.0, 1.0, point_b=(0.3, 0.0, 0.0)),
+        Spring("bob", "", 10.0, 1.0, point_b=(4, 5, 6)),
+    )
+    scenario = Scenario("swing", (post, bob), (), 1.0, springs=springs)
+    positions = np.array([[[1.0, 0.0, 0.0]], [[1.5, 0.0, -0.5]]])
+    poses = Poses("ours", ("bob",), np.array([0.0, 1 / RATE]), positions, np.tile([1.0, 0.0, 0.0, 0.0], (2, 1, 1)))
+    made = clip(scenario, {"ours": poses})
+    assert made.springs == ((0, 1), (0, 2))
+    expected = [[at, (0.0, 0.3, 2.0), (4, 5, 6)] for at in positions[:, 0]]
+    assert_allclose(made.runs[0].points, expected, atol=1e-12)
+
+
+def test_a_clip_of_a_survey_has_only_the_bodies_that_are_watched():
+    case = catalogue()["convex-solid"].cases[0]
+    (scenario,) = case.scenarios
+    assert len(scenario.bodies) > 20
+    passing = scenario.body("passing")
+    poses = Poses(
+        "ours",
+        ("passing",),
+        np.array([0.0, 1 / RATE]),
+        np.tile(passing.position, (2, 1, 1)),
+        np.tile([1.0, 0.0, 0.0, 0.0], (2, 1, 1)),
+    )
+    assert {solid.name for solid in clip(scenario, {"ours": poses}).solids} == {"solid", "passing"}
