@@ -103,6 +103,15 @@ def test_walkers_who_heed_nobody_meet_in_contacts_that_are_reported(name, instal
     assert steered.predict(scenario, run.settings, engine.method(scenario, run.settings)) is None
 
 
+def test_a_rule_of_ones_own_is_named_first_where_a_flier_is_not_in_its_place(tmp_path):
+    path, family = tmp_path / "mine.py", catalogue()["lone-flier"]
+    path.write_text("def steer_around(position, *others):\n    return 0.5 + 0.0 * position\n", encoding="utf-8")
+    engine, case = load_engine("handwritten", Implementation(f"{path} | solutions")), family.case("steers")
+    rows, _ = compare_case(family, case, engine, "world", engine.settings(case.scenarios[0], "world"))
+    (left,) = (row for row in rows if row.quantity == "left")
+    assert left.note.startswith("the rule that steers it is not the lab's own")
+
+
 WRONG = {
     "seek": [
         ("np.full_like(position, np.nan)", "seek returned nan; it must return finite numbers"),
