@@ -143,6 +143,9 @@ SINKING_BALL = Family(
         " itself is right, because nothing is missing any more.",
         "From `dt = 2 τ` on the share is below −1, and the speed explodes. A drag that is handed over from outside"
         " therefore has a largest timestep, 13 ms for the light ball here.",
+        "Stokes' law holds for a steady motion. A ball that gathers speed also sets fluid in motion, as much as half of"
+        " what it displaces, its added mass: in a real fluid τ would be 35 % longer for the heavy ball and 75 % for the"
+        " light one. The lecture leaves this out, and so do theory and all implementations here.",
         "MuJoCo knows fluids. In the profile `ellipsoid` its newer model has exactly Stokes' drag, told of the"
         " viscosity alone (`viscosity`, `wind`, `fluid_ellipsoid`), and `gravcomp` lifts the ball. It gives the same"
         " numbers as the drag from outside. Its older model, the profile `inertia box`, replaces a body by the box of"
