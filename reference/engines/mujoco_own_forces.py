@@ -2,7 +2,7 @@
 
 A spring is a spatial tendon between two sites, with its stiffness and its damping. MuJoCo computes the force of a
 tendon at the start of a step, as the lab does for the other engines. The spring of a ball that moves along it alone may
-also be that of a sliding joint. The integrator `Euler` takes the damping of a joint as it will be at the end of the step.
+also be that of a sliding joint, whose damping the integrator `Euler` takes as it will be at the end of the step.
 
 A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo is given
 no density: with a density its models add forces beyond Stokes' law, which grow with the square of the velocity. In the

@@ -6,7 +6,7 @@ import numpy as np
 
 from reference.engines.base import BULLET_DAMPED, Method
 from reference.engines.steering import steers_of
-from reference.errors import CollisionsError
+from reference.errors import CollisionsError, as_failed_run
 from reference.prediction.loaded import BULLETS_DAMPING
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene.clearance import nearest
@@ -27,15 +27,17 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
 
     A multibody of Bullet's is damped as well, as in `loaded`.
 
-    None where bodies that collide touch, as there the recurrence knows no more; where something spins; and where the
-    code cannot be loaded here: a student's copy may judge a recording without the code that steered in it.
+    None where bodies that collide touch, as there the recurrence knows no more; where something spins; where the
+    code cannot be loaded here: a student's copy may judge a recording without the code that steered in it; and where
+    the code fails here, as it may when bodies go through each other that stop each other in the run.
     """
     if not method.rule or not method.steered_by or any(any(body.angular_velocity) for body in scenario.bodies):
         return None
     try:
-        steers = steers_of(scenario, method.steered_by)
-        damping = BULLETS_DAMPING if method.rule == BULLET_DAMPED else 0.0
-        paths = _paths(scenario, settings, Loads(scenario, steers=steers), damping)
+        with as_failed_run():
+            steers = steers_of(scenario, method.steered_by)
+            damping = BULLETS_DAMPING if method.rule == BULLET_DAMPED else 0.0
+            paths = _paths(scenario, settings, Loads(scenario, steers=steers), damping)
     except CollisionsError:
         return None
     found = trajectory_of(scenario, settings, paths)

@@ -9,7 +9,7 @@ import importlib.util
 import re
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import reference
@@ -33,16 +33,16 @@ class Texts:
     """What was read of packages and files, so that each is read only once.
 
     files_again: whether a `.py` file is read each time all the same, as it is in a worker, which imports a package only
-    once, but runs such a file again for each job.
+    once, but runs such a file again for each job. What the file imports is imported once, wherever it lies.
     """
 
     def __init__(self, files_again: bool = False) -> None:
         self._files_again, self._known = files_again, dict[str, tuple[str, frozenset[str]]]()
         self._data = dict[str, str]()
 
-    def part(self, name: str) -> tuple[str, frozenset[str]]:
+    def part(self, name: str, is_imported: bool = False) -> tuple[str, frozenset[str]]:
         """A hash of the text of a package or a file, and the first names of the modules that it imports."""
-        if name not in self._known or (self._files_again and name.endswith(".py")):
+        if name not in self._known or (self._files_again and name.endswith(".py") and not is_imported):
             self._known[name] = _part(name)
         return self._known[name]
 
@@ -72,7 +72,7 @@ def digest(source: str, texts: Texts | None = None) -> str:
         name = waiting.pop()
         if name not in seen:
             seen.add(name)
-            text, imported = texts.part(name)
+            text, imported = texts.part(name, is_imported=name != source)
             whole.update(f"{name} {text}\n".encode())
             waiting += sorted(imported)
     return whole.hexdigest()
@@ -85,7 +85,15 @@ def _part(name: str) -> tuple[str, frozenset[str]]:
         text = path.read_bytes()
         whole.update(f"{path.relative_to(place.parent).as_posix()} {len(text)}\n".encode() + text)
         names |= _imported(text)
-    return whole.hexdigest(), frozenset(name for name in names if _is_own(name))
+    beside = frozenset(_beside(Path(name).resolve().parent, names)) if name.endswith(".py") else frozenset[str]()
+    return whole.hexdigest(), frozenset(name for name in names if _is_own(name)) | beside
+
+
+def _beside(folder: Path, names: Iterable[str]) -> Iterator[str]:
+    """Files of these modules in the folder of a `.py` file, which may put that folder on the path as it runs."""
+    for name in names:
+        module, package = folder / f"{name}.py", folder / name
+        yield from (str(path) for path in (module, *sorted(package.rglob("*.py"))) if path.is_file())
 
 
 def _files(name: str) -> Iterator[tuple[Path, Path]]:

@@ -103,6 +103,34 @@ def test_walkers_who_heed_nobody_meet_in_contacts_that_are_reported(name, instal
     assert steered.predict(scenario, run.settings, engine.method(scenario, run.settings)) is None
 
 
+def test_a_rule_of_ones_own_is_named_first_where_a_flier_is_not_in_its_place(tmp_path):
+    path, family = tmp_path / "mine.py", catalogue()["lone-flier"]
+    path.write_text("def steer_around(position, *others):\n    return 0.5 + 0.0 * position\n", encoding="utf-8")
+    engine, case = load_engine("handwritten", Implementation(f"{path} | solutions")), family.case("steers")
+    rows, _ = compare_case(family, case, engine, "world", engine.settings(case.scenarios[0], "world"))
+    (left,) = (row for row in rows if row.quantity == "left")
+    assert left.note.startswith("the rule that steers it is not the lab's own")
+
+
+def test_a_rule_that_fails_in_the_recurrence_alone_costs_no_number(tmp_path, installed):
+    """In the recurrence nothing stops the flier, which gets into the pillar where this rule fails."""
+    path, family = tmp_path / "mine.py", catalogue()["lone-flier"]
+    path.write_text(
+        "import numpy as np\n"
+        "def steer_around(position, velocity, target, centre, reach):\n"
+        "    away = np.linalg.norm(centre - position, axis=-1, keepdims=True)\n"
+        "    if np.any(away < 0.5):\n"
+        "        raise ValueError('within the pillar')\n"
+        "    return (centre - position) / away\n",
+        encoding="utf-8",
+    )
+    installed("mujoco")
+    engine, case = load_engine("mujoco", Implementation(f"{path} | solutions")), family.case("steers")
+    rows, _ = compare_case(family, case, engine, "tuned", engine.settings(case.scenarios[0], "tuned"))
+    assert [row.quantity for row in rows] == [quantity.name for quantity in family.quantities]
+    assert all(row.measured is not None for row in rows)
+
+
 WRONG = {
     "seek": [
         ("np.full_like(position, np.nan)", "seek returned nan; it must return finite numbers"),

@@ -40,6 +40,18 @@ def test_a_change_of_anything_that_a_file_imports_is_seen(name, folder):
     assert digest(str(folder / "mine.py")) != before
 
 
+@pytest.mark.parametrize("name", ["helper_of_mine.py", "helper_of_helper.py", "kit_of_mine/part.py"])
+def test_what_lies_beside_a_file_is_seen_though_python_does_not_look_there_yet(name, folder, monkeypatch):
+    """The file may say `sys.path.insert(0, …)` as it runs."""
+    monkeypatch.undo()
+    before, in_a_worker = digest(str(folder / "mine.py")), sources.Texts(files_again=True)
+    assert digest(str(folder / "mine.py"), in_a_worker) == before
+    with (folder / name).open("a", encoding="utf-8") as file:
+        file.write("# a change\n")
+    assert digest(str(folder / "mine.py")) != before
+    assert digest(str(folder / "mine.py"), in_a_worker) == before  # which has imported it, and imports it only once
+
+
 @pytest.mark.parametrize(
     "text",
     [
