@@ -47,8 +47,12 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
     options: dict[str, Option]
     if isinstance(scenario, Survey):
         return surveying.settings_of(**pybullet_surveyor.SETTINGS[profile])
+    # Told the vertices of a mesh, Bullet makes their hull; told its faces as well, it keeps the triangles.
+    def solid(told: str) -> dict[str, Option]:
+        return {surveying.CONTACTS_OF: told} if scenario.meets_a_solid else {}
+
     if profile == "stock":
-        return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody"})
+        return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody", **solid(surveying.HULL)})
     restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
     movable = [body for body in scenario.bodies if not body.immovable]
     boxes = any(isinstance(body.shape, Box) for body in movable)
@@ -92,6 +96,7 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
         # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner without end.
         "contact_gap_falls": 1.0 if boxes else 0.0,
         **ground,
+        **solid(surveying.TRIANGLES),
         **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
     }
     if profile == SWEPT:
