@@ -38,8 +38,10 @@ def lid(left: tuple[float, float], right: tuple[float, float], across: float) ->
 
 @dataclass(frozen=True)
 class Fall:
-    """A fall on a level floor. time: of the landing, s. rebound: how high the ball rises then, m. aside: its level
-    speed, m/s."""
+    """A fall on a level floor.
+
+    time: of the landing, s. rebound: how high the ball rises then, m. aside: its level speed, m/s.
+    """
 
     time: float
     rebound: float

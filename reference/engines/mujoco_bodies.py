@@ -39,9 +39,7 @@ def add_body(mujoco: Any, spec: Any, body: Body, friction: float | None, contact
     frame.add_geom(name=body.name, type=kind, size=size, **options)
 
 
-def _add_solid(
-    mujoco: Any, spec: Any, frame: Any, body: Body, contacts_of: str, options: dict[str, Any]
-) -> None:
+def _add_solid(mujoco: Any, spec: Any, frame: Any, body: Body, contacts_of: str, options: dict[str, Any]) -> None:
     """Add the geoms of a solid: one mesh, whose contacts are those of its hull, or one for each convex piece."""
     shape = body.shape
     assert isinstance(shape, Polyhedron)

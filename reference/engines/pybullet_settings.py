@@ -47,6 +47,7 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
     options: dict[str, Option]
     if isinstance(scenario, Survey):
         return surveying.settings_of(**pybullet_surveyor.SETTINGS[profile])
+
     # Told the vertices of a mesh, Bullet makes their hull; told its faces as well, it keeps the triangles.
     def solid(told: str) -> dict[str, Option]:
         return {surveying.CONTACTS_OF: told} if scenario.meets_a_solid else {}

@@ -65,12 +65,12 @@ def _hull_faces(vertices: tuple[tuple[float, ...], ...]) -> tuple[tuple[int, ...
         heights = (points - points[a]) @ (normal / length)
         if np.all(heights <= FLAT * size):
             flat = np.flatnonzero(heights >= -FLAT * size)
-            found.setdefault(frozenset(flat.tolist()), _in_turn(points[flat], flat, normal / length))
+            found.setdefault(frozenset(flat.tolist()), _in_turn(points[flat], flat.tolist(), normal / length))
     return tuple(found.values())
 
 
-def _in_turn(points: Array, numbers: Array, normal: Array) -> tuple[int, ...]:
+def _in_turn(points: Array, numbers: list[int], normal: Array) -> tuple[int, ...]:
     """The corners of a face, (k, 3), m, by their angle about the face's normal."""
     spokes = points - points.mean(axis=0)
     angle = np.arctan2(np.cross(spokes[0], spokes) @ normal, spokes @ spokes[0])
-    return tuple(int(numbers[place]) for place in np.argsort(angle))
+    return tuple(numbers[place] for place in np.argsort(angle))

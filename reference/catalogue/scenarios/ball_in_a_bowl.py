@@ -15,7 +15,7 @@ from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios import bowls, solids
 from reference.catalogue.scenarios.bowls import RIM, SIZE
 from reference.checks import Quaternion
-from reference.engines.base import Method
+from reference.engines.base import BULLET, Method
 from reference.engines.surveying import CONTACTS_OF, HULL
 from reference.errors import RunFailed
 from reference.scene.polyhedron import Polyhedron
@@ -27,7 +27,7 @@ from reference.solid_truth import Fall, after_a_wall, lid
 DROP = 0.2
 """Height of the ball's underside above the rim at the start, m."""
 RESTITUTION = 0.4
-MASS, DURATION = 1.0, 1.2
+MASS, DURATION = 1.0, 1.0
 PLACE = (1.3, -0.7, 0.4)
 ABOUT_Z: Quaternion = (0.96, 0.0, 0.0, 0.28)
 """A unit quaternion, 0.9216 + 0.0784 = 1: a turn by 32.5° about the vertical."""
@@ -45,9 +45,8 @@ ON_THE_LID = "the bowl's hull has a lid, and the ball meets that"
 def _case(name: str, shape: Polyhedron, radius: float, x: float, y: float, wall: bool = False) -> Case:
     solid = solids.placed(shape, PLACE, ABOUT_Z)
     ball = Body("ball", Sphere(radius), MASS, solid.at(np.array([x, y, RIM + DROP + radius])))
-    duration = DURATION if not wall else 1.0
     pairs = (Pair("ball", "solid", RESTITUTION),)
-    scenario = Scenario(f"ball-in-a-bowl/{name}", (solid.body, ball), pairs, duration)
+    scenario = Scenario(f"ball-in-a-bowl/{name}", (solid.body, ball), pairs, DURATION)
     return Case(name, (scenario,), {"depth": bowls.depth_of(shape), "radius": radius, "wall": float(wall)})
 
 
@@ -86,6 +85,14 @@ def _rest(trajectory: Trajectory) -> float:
     return float(_underside(trajectory)[-1]) + ball.radius
 
 
+def _falls_by_chance(settings: Settings, method: Method) -> float:
+    """Tuned PyBullet's ball rests with a gap of 0, and rounding decides in which steps that is a contact, m.
+
+    In a step without one the ball falls by g dt², and the next step puts a share of that back.
+    """
+    return GRAVITY * settings.timestep**2 if method.rule == BULLET else 0.0
+
+
 def _level(trajectory: Trajectory) -> float:
     """Height of the level face that the ball comes nearest to with its lowest point, above the underside, m."""
     shape = trajectory.scenario.body("solid").shape
@@ -109,8 +116,15 @@ def _flights(trajectory: Trajectory, samples: slice) -> list[measure.Flight]:
     level = Body("level", HalfSpace(), position=(x, y, z + _level(trajectory)))
     flat = replace(scenario, bodies=(level, scenario.body("ball")), pairs=(Pair("ball", "level"),))
     told = bowls.told_of(flat, trajectory)
-    parts = ("times", "positions", "orientations", "velocities", "angular_velocities")
-    return measure.flights(replace(told, **{name: getattr(told, name)[samples] for name in parts}), "ball", "level")
+    part = replace(
+        told,
+        times=told.times[samples],
+        positions=told.positions[samples],
+        orientations=told.orientations[samples],
+        velocities=told.velocities[samples],
+        angular_velocities=told.angular_velocities[samples],
+    )
+    return measure.flights(part, "ball", "level")
 
 
 def _over_the_floor(trajectory: Trajectory) -> Array:
@@ -243,7 +257,8 @@ BALL_IN_A_BOWL = Family(
         _case("hull", bowls.block(), RADIUS, *BESIDE),
     ),
     quantities=(
-        Quantity("rest", "height at rest", "m", _rest, _expect(_resting, _near_in_length), _radius),
+        Quantity("rest", "height at rest", "m", _rest, _expect(_resting, _near_in_length), _radius,
+                 _falls_by_chance),
         Quantity("landing", "time of landing", "s", _landing,
                  _expect(lambda case, lid: _fall(case, lid).time, _near_in_time), lambda case: _fall(case, False).time,
                  absent="falls through"),

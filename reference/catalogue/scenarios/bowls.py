@@ -18,7 +18,7 @@ from reference.scene import geometry
 from reference.scene.polyhedron import Polyhedron, Triangle
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Contacts, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RIM = 0.5
 """Height of the rim above the underside, m: the same all round, so that the hull's lid is level."""
@@ -40,8 +40,7 @@ nearest points ends at 10⁻⁶ m. 2·10⁻⁷ at most was measured."""
 def _ring(wider: float, height: float) -> tuple[Vector, ...]:
     """The corners of a level rectangle, so many widths of the walls from the outer sides: (4, 3), m."""
     (left, right), (front, back) = (
-        (low + wider * first, high - wider * second)
-        for (low, high), (first, second) in zip(OUTER, WALLS, strict=True)
+        (low + wider * first, high - wider * second) for (low, high), (first, second) in zip(OUTER, WALLS, strict=True)
     )
     return tuple((x, y, height) for x, y in ((left, front), (right, front), (right, back), (left, back)))
 
@@ -53,7 +52,7 @@ def bowl(depth: float) -> Polyhedron:
     """
     vertices = (*_ring(0, 0.0), *_ring(0, RIM), *_ring(1, RIM), *_ring(TAPER, RIM - depth))
     faces = [*_quad(3, 2, 1, 0), *_quad(12, 13, 14, 15)]
-    pieces = [(0, 1, 2, 3, 12, 13, 14, 15)]
+    pieces: list[tuple[int, ...]] = [(0, 1, 2, 3, 12, 13, 14, 15)]
     for corner in range(4):
         after = (corner + 1) % 4
         for ring in (0, 4, 8):
@@ -148,17 +147,13 @@ def _half_space(solid: Body, number: int, place: Array, normal: Array) -> Body:
 
 def told_of(scenario: Scenario, trajectory: Trajectory) -> Trajectory:
     """A trajectory of the same ball as one of another scenario, whose other bodies stay where they are."""
-    count, known = len(trajectory.times), {body.name for body in trajectory.scenario.bodies}
-    columns = []
-    for body in scenario.bodies:
-        if body.name in known:
-            place = trajectory.scenario.index(body.name)
-            parts = [getattr(trajectory, name)[:, place] for name in _STATE]
-            columns.append(np.concatenate(parts, axis=-1))
-        else:
-            columns.append(np.tile(body.state(), (count, 1)))
-    parts = np.split(np.stack(columns, axis=1), (3, 7, 10), axis=-1)
-    return replace(trajectory, scenario=scenario, contacts=Contacts(), **dict(zip(_STATE, parts, strict=True)))
-
-
-_STATE = "positions", "orientations", "velocities", "angular_velocities"
+    states = np.tile(np.array([body.state() for body in scenario.bodies]), (len(trajectory.times), 1, 1))
+    for place, body in enumerate(scenario.bodies):
+        if any(body.name == known.name for known in trajectory.scenario.bodies):
+            parts = trajectory.position, trajectory.orientation, trajectory.velocity, trajectory.angular_velocity
+            states[:, place] = np.concatenate([part(body.name) for part in parts], axis=-1)
+    position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
+    return Trajectory(
+        scenario, trajectory.settings, trajectory.engine, trajectory.times, position, orientation, velocity, spin,
+        events=trajectory.events,
+    )  # fmt: skip

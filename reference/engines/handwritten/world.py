@@ -129,6 +129,7 @@ def _shape(body: Body) -> tuple[Any, ...]:
         return "box", body.shape.half_extents
     if isinstance(body.shape, Polyhedron):
         return "compound", [_piece(body.shape.points[list(group)]) for group in body.shape.convex_pieces]
+    assert isinstance(body.shape, HalfSpace)
     # A scenario has this normal in the world's axes, and a shape in the body's own.
     return "half-space", geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(body.shape.normal))
 
