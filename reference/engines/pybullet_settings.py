@@ -58,6 +58,7 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
     movable = [body for body in scenario.bodies if not body.immovable]
     boxes = any(isinstance(body.shape, Box) for body in movable)
     undamped: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
+    undamped |= solid(surveying.TRIANGLES)
     if profile == "spring":
         options = {
             "coordinates": "maximal",
@@ -97,7 +98,6 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
         # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner without end.
         "contact_gap_falls": 1.0 if boxes else 0.0,
         **ground,
-        **solid(surveying.TRIANGLES),
         **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
     }
     if profile == SWEPT:
