@@ -46,7 +46,7 @@ def winding_number(point: Array, corners: Array) -> float:
 
 
 def hull_faces(points: Array) -> tuple[tuple[int, ...], ...]:
-    """The flat faces of the convex hull of some points (v, 3), m, anticlockwise as seen from outside.
+    """The flat faces of a convex solid with these corners (v, 3), m, anticlockwise as seen from outside.
 
     All triples of points are tried for planes that have every other point behind them.
     """
