@@ -20,9 +20,8 @@ from reference.impact_truth import NEWTON
 from reference.scene.loads import Steers
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Query
-from reference.scene.scenario import Scenario
+from reference.scene.scenario import Scenario, Sphere
 from reference.scene.settings import Move, Settings
-from reference.scene.survey import Survey
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
@@ -223,11 +222,10 @@ class Engine(ABC):
         CannotExpress
             If forces act that this engine does not apply.
         NoWords
-            If a body is a polyhedron and the scenario is no survey.
+            If a polyhedron is in the way of anything but a ball.
         """
         check_options(self.allowed, settings.options)
-        if not isinstance(scenario, Survey) and any(isinstance(body.shape, Polyhedron) for body in scenario.bodies):
-            raise NoWords(f"in {scenario.name} a polyhedron is in the way of bodies; so far a survey alone knows them")
+        self._check_solids(scenario)
         if (scenario.forces or scenario.pushes_change) and not self.lets_forces_act(scenario, settings):
             raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
         if settings.timestep * settings.sample_every > scenario.duration:
@@ -246,6 +244,14 @@ class Engine(ABC):
             made = f"timestep {settings.timestep:g} s makes {steps:.1e} steps of {scenario.name}"
             raise InvalidInput(f"{made}; {MOST_STEPS:.0e} is the most")
         return steps
+
+    def _check_solids(self, scenario: Scenario) -> None:
+        for pair in scenario.pairs:
+            shapes = [scenario.body(name).shape for name in (pair.body_a, pair.body_b)]
+            if any(isinstance(shape, Polyhedron) for shape in shapes) and not any(
+                isinstance(shape, Sphere) for shape in shapes
+            ):
+                raise NoWords(f"in {scenario.name} a polyhedron is in the way of a body that is no ball")
 
     def check_friction(self, scenario: Scenario) -> None:
         """Refuse a pair whose static friction is not its kinetic friction, for an engine that has one coefficient."""

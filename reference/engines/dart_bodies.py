@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import tempfile
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from reference.engines.ground_box import ground_box, raised
 from reference.engines.sliding_joint import SlidingJoint
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Shape, Sphere
 from reference.scene.settings import Settings
 
@@ -103,5 +106,24 @@ def _shape(dart: Any, shape: Shape) -> Any:
         return dart.dynamics.SphereShape(shape.radius)
     if isinstance(shape, Box):
         return dart.dynamics.BoxShape([2 * extent for extent in shape.half_extents])
-    assert isinstance(shape, HalfSpace), "a survey asks about a polyhedron"
+    if isinstance(shape, Polyhedron):
+        return mesh(dart, shape)
+    assert isinstance(shape, HalfSpace)
     return dart.dynamics.PlaneShape(shape.normal, 0.0)
+
+
+_URDF = """<robot name="solid"><link name="solid">
+<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision><geometry><mesh filename="{uri}"/></geometry></collision></link></robot>"""
+
+
+def mesh(dart: Any, shape: Polyhedron) -> Any:
+    """A mesh as DART reads it from a file, the only way that it has: in single precision."""
+    lines = ["v {!r} {!r} {!r}".format(*vertex) for vertex in shape.vertices]
+    lines += ["f {} {} {}".format(*(corner + 1 for corner in face)) for face in shape.faces]
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "solid.obj"
+        file.write_text("\n".join([*lines, ""]))
+        urdf = _URDF.format(uri=file.as_uri())
+        skeleton = dart.utils.DartLoader().parseSkeletonString(urdf, file.parent.as_uri())
+    return skeleton.getBodyNode(0).getShapeNode(0).getShape()

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-import tempfile
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,9 +24,6 @@ from reference.scene.settings import Option
 SETTINGS: Mapping[str, Option] = {RAYS_OF: TRIANGLES, DISTANCES_OF: TRIANGLES, INSIDE_BY: RAYS}
 """In both profiles: nothing else can be chosen."""
 ALLOWED = surveying.allowed((TRIANGLES,), (TRIANGLES,))
-_URDF = """<robot name="solid"><link name="solid">
-<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
-<collision><geometry><mesh filename="{uri}"/></geometry></collision></link></robot>"""
 
 
 class Surveyor:
@@ -36,7 +31,7 @@ class Surveyor:
 
     def __init__(self, dart: Any) -> None:
         self._dart = dart
-        self._shape_of = functools.cache(self._read)
+        self._shape_of = functools.cache(functools.partial(dart_bodies.mesh, dart))
 
     def crossings(self, body: Body, start: tuple[float, ...], end: tuple[float, ...]) -> list[float]:
         """The hits of rays of DART's own detector, which gives one for each body; the others know no rays of meshes."""
@@ -68,14 +63,3 @@ class Surveyor:
             group.addShapeFrame(frame)
             kept.append((skeleton, frame))
         return group, kept
-
-    def _read(self, shape: Polyhedron) -> Any:
-        """The shape as DART reads it from a file."""
-        lines = ["v {!r} {!r} {!r}".format(*vertex) for vertex in shape.vertices]
-        lines += ["f {} {} {}".format(*(corner + 1 for corner in face)) for face in shape.faces]
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "solid.obj"
-            file.write_text("\n".join([*lines, ""]))
-            urdf = _URDF.format(uri=file.as_uri())
-            skeleton = self._dart.utils.DartLoader().parseSkeletonString(urdf, file.parent.as_uri())
-        return skeleton.getBodyNode(0).getShapeNode(0).getShape()

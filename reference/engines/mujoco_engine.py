@@ -72,6 +72,7 @@ class MuJoCo(Engine):
         "springs": (TENDONS, JOINT),
         "fluid": FLUIDS,
         **mujoco_surveyor.ALLOWED,
+        surveying.CONTACTS_OF: (surveying.PIECES, surveying.HULL),
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
@@ -79,7 +80,9 @@ class MuJoCo(Engine):
         found = {"tuned": "one-step contact"}
         if leaping.may_leap(scenario):  # a spring would give way farther than the wall is thick
             found[SWEPT] = "contact a step ahead"
-        elif scenario.pairs and not geometry.starts_in_contact(scenario) and not scenario.steering:
+        elif scenario.pairs and not (
+            geometry.starts_in_contact(scenario) or scenario.steering or scenario.meets_a_solid
+        ):
             found["spring"] = "spring–dashpot contact"
         if scenario.in_flight and len(scenario.springs) == 1:  # the lab computes the forces of a whole mesh
             found[TENDONS] = "a tendon for the spring"
@@ -122,6 +125,7 @@ class MuJoCo(Engine):
         loads = Loads(mujoco_own_forces.from_outside(scenario, settings), steers=self.steers(scenario))
         recorder = Recorder(self.name, scenario, settings)
         fixed = [list(body.state()) for body in scenario.bodies]
+        bodies = (model.geom_bodyid - 1).tolist()  # body 0 is the world
         recorder.sample(_state(state, movable, fixed, joint))
         changes = loads.scenario.pushes_change
         at_once = 1 if changes else settings.sample_every
@@ -133,7 +137,7 @@ class MuJoCo(Engine):
                 continue
             recorder.sample(_state(state, movable, fixed, joint))
             if state.ncon:
-                _keep_contacts(recorder, state.contact)
+                _keep_contacts(recorder, state.contact, bodies)
         return recorder.trajectory(spin_in_body_frame=True)
 
     def check_impacts(self, scenario: Scenario) -> None:
@@ -175,14 +179,15 @@ class MuJoCo(Engine):
             spec.option.noslip_iterations = int(settings.number("noslip_iterations"))
             spec.option.noslip_tolerance = 0.0
         stock = settings["contact"] == "default"
+        contacts_of = str(settings.options.get(surveying.CONTACTS_OF, surveying.HULL))
         friction = self._stock_friction(scenario) if stock else [None] * len(scenario.bodies)
         for body, own_friction in zip(scenario.bodies, friction, strict=True):
             free = not has_joint(settings)
-            mujoco_bodies.add_body(mujoco, spec, body, own_friction, free=free)
+            mujoco_bodies.add_body(mujoco, spec, body, own_friction, contacts_of, free=free)
         if not stock:
             for pair in scenario.pairs:
                 margin = mujoco_read_back.margin_of(scenario, settings)
-                mujoco_bodies.set_restitution_and_friction(spec, pair, settings, margin)
+                mujoco_bodies.set_restitution_and_friction(spec, scenario, pair, settings, margin)
         else:
             for first, second in scenario.unlisted_pairs():
                 spec.add_exclude(bodyname1=first, bodyname2=second)
@@ -222,11 +227,14 @@ def _push(state: Any, loads: Loads, movable: list[int], fixed: list[list[float]]
     state.xfrc_applied[1:] = np.concatenate([force, torque], axis=-1)
 
 
-def _keep_contacts(recorder: Recorder, contact: Any) -> None:
-    """Keep the contacts of the latest step. MuJoCo's normal points from its first geom to its second: A is that."""
+def _keep_contacts(recorder: Recorder, contact: Any, bodies: list[int]) -> None:
+    """Keep the contacts of the latest step. MuJoCo's normal points from its first geom to its second: A is that.
+
+    bodies: the place of each geom's body in the scenario.
+    """
     columns = (contact.geom, contact.pos, contact.frame[:, :3], contact.dist)
     for (first, second), position, normal, separation in zip(*(column.tolist() for column in columns), strict=True):
-        recorder.contact(second, first, position, normal, separation)  # one geom a body, in the bodies' order
+        recorder.contact(bodies[second], bodies[first], position, normal, separation)
 
 
 ENGINE = MuJoCo

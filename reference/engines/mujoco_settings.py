@@ -34,7 +34,9 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
     if isinstance(scenario, Survey):
         return surveying.settings_of(**mujoco_surveyor.SETTINGS[profile])
     if profile == "stock":
-        as_installed = {"contact": "default", "integrator": "Euler", "cone": "pyramidal"}
+        as_installed: dict[str, Option] = {"contact": "default", "integrator": "Euler", "cone": "pyramidal"}
+        if scenario.meets_a_solid:
+            as_installed[surveying.CONTACTS_OF] = surveying.HULL
         return sampled(scenario, Settings(2e-3, options=as_installed))
     if profile in (TENDONS, JOINT, *FLUIDS):
         told: dict[str, Option] = {"contact": "default", "integrator": "Euler", "cone": "pyramidal"}
@@ -67,6 +69,8 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
         "impratio": 1e-10,
         "noslip_iterations": 5,
     }
+    if scenario.meets_a_solid:
+        options[surveying.CONTACTS_OF] = surveying.PIECES  # a mesh would be its hull
     if not scenario.pairs:
         return unhurried(scenario, Settings(1e-3, options=options))  # no instant of an impact can be missed
     if geometry.leaning(scenario):

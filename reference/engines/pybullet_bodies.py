@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 from reference.engines.ground_box import ground_box, raised
+from reference.engines.surveying import CONTACTS_OF, HULL, TRIANGLES
 from reference.scene import geometry
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 from reference.scene.settings import Settings
 
@@ -32,7 +34,8 @@ def add_body(
     """Add a body as it starts and return its number. fall: how far a body at rest falls in one step, g dt², m."""
     if isinstance(body.shape, HalfSpace):
         body = _ground(body, settings)
-    number = stand(bullet, body, here, useMaximalCoordinates=settings["coordinates"] == "maximal")
+    contacts_of = str(settings.options.get(CONTACTS_OF, HULL))
+    number = stand(bullet, body, here, contacts_of, useMaximalCoordinates=settings["coordinates"] == "maximal")
     set_restitution_and_friction(bullet, number, restitution, friction, here)
     if body.inertia:  # together with the mass, which a body in maximal coordinates would otherwise lose
         bullet.changeDynamics(number, -1, mass=body.mass, localInertiaDiagonal=body.inertia, **here)
@@ -52,10 +55,10 @@ def _ground(body: Body, settings: Settings) -> Body:
     return ground_box(body) if settings.options.get("ground") == "box" else body
 
 
-def stand(bullet: Any, body: Body, here: dict[str, int], **options: bool) -> int:
-    """Add a body at rest where the scenario has it, and return its number."""
+def stand(bullet: Any, body: Body, here: dict[str, int], contacts_of: str = HULL, **options: bool) -> int:
+    """Add a body at rest where the scenario has it, and return its number. contacts_of: what a mesh is to contacts."""
     mass = 0.0 if body.immovable else body.mass  # Bullet writes 0 for a body that nothing moves
-    shape = _collision_shape(bullet, body, here)
+    shape = _collision_shape(bullet, body, contacts_of, here)
     orientation = (*body.orientation[1:], body.orientation[0])  # x y z w
     placed = {"basePosition": body.position, "baseOrientation": orientation}
     return int(bullet.createMultiBody(mass, shape, **placed, **options, **here))
@@ -78,14 +81,18 @@ def _set_damping_and_contact_gap(
         bullet.changeDynamics(number, -1, maxJointVelocity=NO_SPEED_LIMIT, **chosen, **here)
 
 
-def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
+def _collision_shape(bullet: Any, body: Body, contacts_of: str, here: dict[str, int]) -> int:
     shape = body.shape
     if isinstance(shape, Sphere):
         number: int = bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=shape.radius, **here)
     elif isinstance(shape, Box):
         number = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=shape.half_extents, **here)
+    elif isinstance(shape, Polyhedron):
+        # Told the vertices alone, Bullet makes their convex hull.
+        told = {"indices": np.array(shape.faces).ravel().tolist()} if contacts_of == TRIANGLES else {}
+        number = bullet.createCollisionShape(bullet.GEOM_MESH, vertices=shape.points.tolist(), **told, **here)
     else:
-        assert isinstance(shape, HalfSpace), "a survey asks about a polyhedron"
+        assert isinstance(shape, HalfSpace)
         own_frame = geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(shape.normal))
         number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
     return number

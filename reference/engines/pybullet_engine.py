@@ -86,6 +86,7 @@ class PyBullet(Engine):
         "stiffness": POSITIVE,
         "spring_of": ("world", "bodies"),
         **pybullet_surveyor.ALLOWED,
+        surveying.CONTACTS_OF: (surveying.TRIANGLES, surveying.HULL),
         "swept_inset": NOT_NEGATIVE,
         "sweep_from": NOT_NEGATIVE,
     }
@@ -99,7 +100,7 @@ class PyBullet(Engine):
         expressible = pybullet_spring.spring_of(scenario, pybullet_settings.SPRING_STIFFNESS) is not None
         if leaping.may_leap(scenario):  # a spring would give way farther than the wall is thick
             found[SWEPT] = "continuous detection"
-        elif expressible and not geometry.starts_in_contact(scenario) and not scenario.steering:
+        elif expressible and not (geometry.starts_in_contact(scenario) or scenario.steering or scenario.meets_a_solid):
             found["spring"] = "spring–dashpot contact"
         return found | {"stock": stock}
 

@@ -47,12 +47,18 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
     options: dict[str, Option]
     if isinstance(scenario, Survey):
         return surveying.settings_of(**pybullet_surveyor.SETTINGS[profile])
+
+    # Told the vertices of a mesh, Bullet makes their hull; told its faces as well, it keeps the triangles.
+    def solid(told: str) -> dict[str, Option]:
+        return {surveying.CONTACTS_OF: told} if scenario.meets_a_solid else {}
+
     if profile == "stock":
-        return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody"})
+        return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody", **solid(surveying.HULL)})
     restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
     movable = [body for body in scenario.bodies if not body.immovable]
     boxes = any(isinstance(body.shape, Box) for body in movable)
     undamped: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
+    undamped |= solid(surveying.TRIANGLES)
     if profile == "spring":
         options = {
             "coordinates": "maximal",

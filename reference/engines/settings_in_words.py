@@ -38,6 +38,9 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "ground box": "The ground is a large box, on which Bullet finds all corners of a body at once (`GEOM_BOX`).",
         "ground plane": "The ground is a plane (`GEOM_PLANE`).",
         "margin": _RAISED,
+        "contacts of triangles": "A ball touches the triangles of a solid (`indices` of `createCollisionShape`).",
+        "contacts of hull": "A ball touches the convex hull of a solid, which is 1 mm thicker than its vertices say"
+        " (`GEOM_MESH` with `vertices` alone).",
         "rays of triangles": "A ray meets the triangles of a solid (`indices` of `createCollisionShape`).",
         "rays of hull": "A ray meets the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
         "distances of hull": "Gaps are measured to the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
@@ -79,6 +82,8 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "noslip iterations 0": "Friction is settled by the main solver alone (`noslip_iterations` = 0).",
         "noslip iterations": "After the main solver, {} passes settle friction (`noslip_iterations`).",
         "margin": "A contact counts from a gap of {m} on (`margin`).",
+        "contacts of hull": "A ball touches the convex hull of a solid (`mesh`).",
+        "contacts of pieces": "A ball touches the convex pieces of a solid, each of them a geom (`mesh`).",
         "rays of triangles": "A ray meets the triangles of a mesh (`mj_ray`).",
         "distances of hull": "Gaps are measured to the convex hull of a mesh (`mj_geomDistance`).",
         "distances of pieces": "Gaps are measured to the nearest convex piece of a solid; each piece is a mesh"

@@ -27,6 +27,8 @@ from reference.scene.trajectory import Trajectory
 RAYS_OF, DISTANCES_OF, INSIDE_BY, MESH_MARGIN = "rays_of", "distances_of", "inside_by", "mesh_margin"
 """Settings: what a solid is to an engine's rays and to its distances, what stands in for the question whether a point
 is inside, and by how much a shape is thicker than its vertices say, m."""
+CONTACTS_OF = "contacts_of"
+"""Setting: what a solid is to the contacts of a run, as the first two of the settings above say it of questions."""
 TRIANGLES, HULL, PIECES = "triangles", "hull", "pieces"
 RAYS, BALL = "rays", "ball"
 TIMESTEP = 0.02

@@ -36,6 +36,7 @@ from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Query, Ray, Segment
 from reference.scene.scenario import Body, Scenario, Sphere
 from reference.scene.settings import Settings
+from reference.scene.surfaces import winding_number
 from reference.scene.survey import Survey, at_time
 
 BULLETS_MARGIN = 1e-3
@@ -89,7 +90,7 @@ class View:
             parts = [solids.hull(part) for part in self._parts(solid, self.distances_of)]
             return min(solids.depth_or_gap(centre, part) for part in parts) - self.margin - ball.shape.radius
         nearest = float(np.min(solids.distances(centre, corners)))
-        inside = self.distances_of != TRIANGLES and solids.winding_number(centre, corners) > 0.5
+        inside = self.distances_of != TRIANGLES and winding_number(centre, corners) > 0.5
         return (-nearest if inside else nearest) - ball.shape.radius
 
     def _parts(self, solid: Body, form: str) -> list[Array]:
@@ -121,7 +122,7 @@ class View:
     def _inside(self, solid: Body, point: Array) -> float:
         if self.inside_by == BALL:
             return float(self.gap(solid, Body("probe", Sphere(TINY), position=tuple(point.tolist()))) < 0)
-        return float(solids.winding_number(solids.in_own_axes(solid, point), _surface(solid)) > 0.5)
+        return float(winding_number(solids.in_own_axes(solid, point), _surface(solid)) > 0.5)
 
     @staticmethod
     def _seen_from(solid: Body, start: Sequence[float], end: Sequence[float] | Array) -> tuple[Array, Array]:

@@ -70,15 +70,6 @@ def distances(point: Array, corners: Array) -> Array:
     return np.asarray(np.where(over, to_planes, to_edges))
 
 
-def winding_number(point: Array, corners: Array) -> float:
-    """How often the surface goes round the point: its solid angle, by van Oosterom and Strackee (1983), over 4π."""
-    a, b, c = np.moveaxis(corners - point, 1, 0)
-    x, y, z = (np.linalg.norm(each, axis=-1) for each in (a, b, c))
-    above = np.sum(a * np.cross(b, c), -1)
-    below = x * y * z + np.sum(a * b, -1) * z + np.sum(b * c, -1) * x + np.sum(c * a, -1) * y
-    return float(np.sum(np.arctan2(above, below)) / (2 * np.pi))
-
-
 def in_convex(point: Array, corners: Array) -> bool:
     """Whether a point is behind all planes."""
     return bool(np.all(np.sum(_normals(corners) * (point - corners[:, 0]), -1) <= 0))

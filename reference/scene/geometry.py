@@ -8,6 +8,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.errors import InvalidInput
+from reference.scene import surfaces
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphere
 
@@ -85,15 +86,14 @@ def gap(body_a: Body, body_b: Body) -> float:
     """Gap between two bodies as they start, m; negative when they overlap.
 
     Exact where one is a half-space or a sphere. Two boxes: the largest gap along any face normal or cross product of
-    edges, which is exact where faces or edges meet or boxes overlap, and never too large. The gap of a polyhedron is
-    not known here; a survey asks for it.
+    edges, which is exact where faces or edges meet or boxes overlap, and never too large. Of a polyhedron the gap is
+    known to a sphere alone.
     """
-    for body in (body_a, body_b):
-        if isinstance(body.shape, Polyhedron):
-            raise InvalidInput(f"the gap between {body_a.name} and {body_b.name} is not defined: {body.name} is a mesh")
-    order = (HalfSpace, Sphere, Box)
+    order = (HalfSpace, Sphere, Box, Polyhedron)
     if order.index(type(body_a.shape)) > order.index(type(body_b.shape)):
         return gap(body_b, body_a)
+    if isinstance(body_b.shape, Polyhedron) and not isinstance(body_a.shape, Sphere):
+        raise InvalidInput(f"the gap between {body_a.name} and {body_b.name} is not defined: {body_b.name} is a mesh")
     between = np.array(body_b.position) - np.array(body_a.position)
     poses = [np.array([body.orientation]) for body in (body_a, body_b)]
     if isinstance(body_a.shape, HalfSpace):
@@ -110,9 +110,13 @@ def gap(body_a: Body, body_b: Body) -> float:
 
 
 def _out_of(body: Body, place: Array) -> float:
-    """How far a place, seen from the body's centre, lies outside a sphere or a box, m; negative inside."""
+    """How far a place, seen from the body's centre, lies outside a sphere, a box or a mesh, m; negative inside."""
     if isinstance(body.shape, Sphere):
         return float(np.linalg.norm(place)) - body.shape.radius
+    if isinstance(body.shape, Polyhedron):
+        own = rotate(opposite(np.array(body.orientation)), place)
+        away = float(np.linalg.norm(surfaces.nearest_points(own[None], body.shape.triangles)[0] - own))
+        return -away if surfaces.winding_number(own, body.shape.triangles) > 0.5 else away
     return float(out_of_box(place, np.array(body.orientation), np.array(body.shape.half_extents)))  # type: ignore[union-attr]
 
 

@@ -74,9 +74,14 @@ class Polyhedron:
         return np.array(self.vertices, dtype=np.float64)
 
     @property
+    def triangles(self) -> Array:
+        """The corners of each face as an array (f, 3, 3), m."""
+        return np.asarray(self.points[np.array(self.faces)])
+
+    @property
     def volume(self) -> float:
         """m³: a sixth of the triple products of the faces' corners, added up."""
-        a, b, c = np.moveaxis(self.points[np.array(self.faces)], 1, 0)
+        a, b, c = np.moveaxis(self.triangles, 1, 0)
         return float(np.sum(np.cross(a, b) * c) / 6)
 
     @property

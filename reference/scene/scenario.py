@@ -266,6 +266,12 @@ class Scenario:
             body.immovable or isinstance(body.shape, Sphere) for body in self.bodies
         )
 
+    @property
+    def meets_a_solid(self) -> bool:
+        """Whether a polyhedron is in the way of a body, as it is not in a survey."""
+        met = (self.body(name) for pair in self.pairs for name in (pair.body_a, pair.body_b))
+        return any(isinstance(body.shape, Polyhedron) for body in met)
+
     def body(self, name: str) -> Body:
         """Return the body of that name."""
         return self.bodies[self.index(name)]

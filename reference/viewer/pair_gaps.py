@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference.arrays import Array, Mask
-from reference.scene import geometry
+from reference.scene import geometry, surfaces
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.viewer.shapes import vertices_of
@@ -45,7 +45,7 @@ class Meeting:
 
 def meeting_of(scenario: Scenario, pair: Pair, places: Places) -> Meeting | None:
     """A pair's geometry through time; None where neither moves, or nobody knows the shapes' contact."""
-    order = (Sphere, Box, HalfSpace)
+    order = (Sphere, Box, Polyhedron, HalfSpace)
     body_a, body_b = sorted(
         map(scenario.body, (pair.body_a, pair.body_b)), key=lambda body: order.index(type(body.shape))
     )
@@ -121,6 +121,21 @@ def _sphere_box(sphere: Body, box: Body, pose_a: _Pose, pose_b: _Pose) -> tuple[
     return distance - sphere.shape.radius, point, geometry.rotate(pose_b[1], away)
 
 
+def _sphere_polyhedron(sphere: Body, solid: Body, pose_a: _Pose, pose_b: _Pose) -> tuple[Array, Array, Array]:
+    """Where a ball whose centre is outside is nearest to a mesh; a centre inside gets the normal of the way out."""
+    assert isinstance(sphere.shape, Sphere)
+    assert isinstance(solid.shape, Polyhedron)
+    triangles = solid.shape.triangles
+    own = geometry.rotate(geometry.opposite(pose_b[1]), pose_a[0] - pose_b[0])
+    nearest = surfaces.nearest_points(own, triangles)
+    inside = np.array([surfaces.winding_number(place, triangles) > 0.5 for place in own])
+    side = np.where(inside, -1.0, 1.0)
+    away = (own - nearest) * side[:, None]
+    distance = np.linalg.norm(away, axis=-1)
+    normal = geometry.rotate(pose_b[1], away / np.maximum(distance, 1e-12)[:, None])
+    return side * distance - sphere.shape.radius, pose_b[0] + geometry.rotate(pose_b[1], nearest), normal
+
+
 def _outward(own: Array, half: Array) -> Array:
     """Unit normals (n, 3) of the face of a box that is nearest to places (n, 3), box axes."""
     nearest = np.argmax(np.abs(own) - half, axis=-1)[:, None]
@@ -152,5 +167,6 @@ _GEOMETRY = {
     (Box, HalfSpace): _on_plane,
     (Sphere, Sphere): _two_spheres,
     (Sphere, Box): _sphere_box,
+    (Sphere, Polyhedron): _sphere_polyhedron,
     (Box, Box): _two_boxes,
 }

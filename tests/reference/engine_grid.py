@@ -84,6 +84,7 @@ NEEDS_A_WORLD = (
     *("sliding-ball", "rolling-ball"),
     *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-box"),
     *("antipodal-circle", "crossing-streams", "lone-flier", "flock-past-pillar"),
+    "ball-in-a-bowl",
 )
 """What rolls, tumbles, meets more than one thing or steers itself."""
 STRIKING = (
@@ -165,7 +166,7 @@ REFUSED = [
 ]
 ONE_OF_EACH = (
     *("thrown-ball", "twirled-box"),  # free flight
-    *("dropped-ball", "sliding-slab", "stack", "struck-rod", "cradle"),  # each pair of shapes
+    *("dropped-ball", "sliding-slab", "stack", "struck-rod", "cradle", "ball-in-a-bowl"),  # each pair of shapes
     *("thin-wall", "corner", "incline"),  # a wall without weight, two planes at once, a slope
     *("two-balls", "spinning-ball", "box-on-edge", "lying-box"),  # a glance, a spin, a landing on an edge, a turned box
 )

@@ -13,7 +13,8 @@ from reference.catalogue.scenarios.concave_solid import HIGH, INNER_LEFT, LOW, R
 from reference.catalogue.scenarios.convex_solid import SOLID
 from reference.prediction import solids
 from reference.prediction.answering import BULLETS_STEPS, on_a_grid
-from reference.solid_truth import chord, lid
+from reference.scene.surfaces import winding_number
+from reference.solid_truth import after_a_wall, chord, lid
 
 RNG = np.random.default_rng(7)
 CHANNEL = channel(0.375)
@@ -51,7 +52,7 @@ def volume(a, b, c, d) -> Fraction:
 @every_solid
 def test_the_winding_number_agrees_with_parity_in_exact_rationals(solid):
     for point in places(solid, 60):
-        found = solids.winding_number(point, triangles(solid))
+        found = winding_number(point, triangles(solid))
         assert found == pytest.approx(float(inside_exactly(point, solid)), abs=1e-12)
 
 
@@ -135,3 +136,26 @@ def test_bullets_grid_moves_a_vertex_inwards_by_less_than_a_step():
     assert np.all(np.abs(moved - points) < step * (1 + 1e-9))
     assert np.all(np.abs(moved - middle) <= np.abs(points - middle) + 1e-15)
     assert np.any(np.abs(moved - points) > 0.3 * step)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.4, 1.0])
+@pytest.mark.parametrize("slope", [0.1, 0.5])
+def test_a_ball_off_a_wall_goes_the_way_of_two_parabolas(slope, restitution):
+    normal, gravity, before, below = (np.cos(slope), np.sin(slope)), 9.81, 0.3, 0.2
+    found = after_a_wall(before, below, normal, restitution, gravity)
+    fallen = np.sqrt(2 * before / gravity)
+    velocity = np.array([0.0, -gravity * fallen])
+    towards = velocity @ normal
+    velocity = velocity - towards * np.array(normal) - restitution * towards * np.array(normal)
+    # The times at which the second parabola is at the floor are the roots of below + w t − g t²/2.
+    times = np.roots([-gravity / 2, velocity[1], below])
+    landing = float(times[times > 0][0])
+    speed = velocity[1] - gravity * landing
+    assert found.time == pytest.approx(fallen + landing, rel=1e-12)
+    assert found.rebound == pytest.approx((restitution * speed) ** 2 / (2 * gravity), rel=1e-12, abs=1e-15)
+    assert found.aside == pytest.approx(abs(velocity[0]), rel=1e-12)
+
+
+def test_without_a_wall_a_ball_falls_for_the_time_that_gravity_takes():
+    found = after_a_wall(0.5, 0.0, (0.0, 0.0), 0.4, 9.81)
+    assert (found.time, found.rebound, found.aside) == pytest.approx((np.sqrt(1 / 9.81), 0.08, 0.0), rel=1e-12)

@@ -49,6 +49,7 @@ MODULES = (
     "sinking_ball",
     "convex_solid",
     "concave_solid",
+    "ball_in_a_bowl",
     "step_limit",
     "orbit",
     "hanging_cloth",

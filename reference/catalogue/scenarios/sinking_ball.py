@@ -144,8 +144,8 @@ SINKING_BALL = Family(
         "Above `dt = 2 τ` the factor `1 − dt/τ` is below −1, and the speed explodes. A drag that is computed outside"
         " the engine therefore limits the timestep, here to 13 ms for the light ball.",
         "Stokes' law holds for a steady motion. A ball that gathers speed also sets fluid in motion, as much as half of"
-        " the fluid that it displaces; this is its added mass. In a real fluid τ would be 35 % longer for the heavy ball"
-        " and 75 % longer for the light one. The lecture leaves the added mass out, and so do theory and all"
+        " the fluid that it displaces; this is its added mass. In a real fluid τ would be 35 % longer for the heavy"
+        " ball and 75 % longer for the light one. The lecture leaves the added mass out, and so do theory and all"
         " implementations here.",
         "MuJoCo has two models of a fluid. The newer one, in the profile `ellipsoid`, gives exactly Stokes' drag if it"
         " is told the viscosity and not the density (`viscosity`, `wind`, `fluid_ellipsoid`), and `gravcomp` adds the"

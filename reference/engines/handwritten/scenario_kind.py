@@ -24,6 +24,7 @@ from reference.engines.handwritten.scenario_bodies import (
 )
 from reference.scene import geometry
 from reference.scene.forces import GrowingForce
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.scene.survey import Survey
 
@@ -185,6 +186,8 @@ def _strikes(scenario: Scenario) -> Kind | None:
     ball, other = ball_and_other(scenario)
     pair = scenario.pairs[0]
     if pair.static_friction != pair.kinetic_friction:
+        return None
+    if isinstance(other.shape, Polyhedron):
         return None
     if not isinstance(ball.shape, Sphere):
         return Kind.CORNER if _flies_at_a_plane(scenario) else None

@@ -18,7 +18,8 @@ from reference.engines.handwritten.loads import LoadsByHand
 from reference.engines.handwritten.rigid_bodies import moments_of_inertia
 from reference.engines.handwritten.world_settings import rules
 from reference.engines.implementation import Implementation
-from reference.scene import geometry
+from reference.scene import geometry, surfaces
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Contacts, Trajectory
@@ -126,9 +127,16 @@ def _shape(body: Body) -> tuple[Any, ...]:
         return "sphere", body.shape.radius
     if isinstance(body.shape, Box):
         return "box", body.shape.half_extents
-    assert isinstance(body.shape, HalfSpace), "a survey asks about a polyhedron"
+    if isinstance(body.shape, Polyhedron):
+        return "compound", [_piece(body.shape.points[list(group)]) for group in body.shape.convex_pieces]
+    assert isinstance(body.shape, HalfSpace)
     # A scenario has this normal in the world's axes, and a shape in the body's own.
     return "half-space", geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(body.shape.normal))
+
+
+def _piece(points: Array) -> tuple[Any, ...]:
+    """A convex piece of a solid, where it is in the solid's own axes."""
+    return ("polyhedron", points, surfaces.hull_faces(points)), np.zeros(3), np.array([1.0, 0.0, 0.0, 0.0])
 
 
 def _contacts(met: Sequence[tuple[int, Any]], count: int, first: int, end: int) -> Contacts:

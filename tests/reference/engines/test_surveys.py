@@ -116,11 +116,11 @@ def test_a_setting_that_an_engine_has_no_use_for_is_refused(name, installed):
 
 
 @each_engine
-def test_a_polyhedron_in_the_way_of_bodies_has_no_words_yet(name, installed):
-    engine, ball = installed(name), Body("ball", Sphere(0.1), 1.0, (0.5, 0.25, 2.0))
-    scene = Scenario("bowl", (BLOCK, ball), (Pair("ball", "block"),), 0.5)
-    plain = Scenario("ball", (ball,), (), 0.5)
-    with pytest.raises(NoWords, match="a polyhedron is in the way"):
+def test_a_polyhedron_in_the_way_of_a_box_has_no_words_yet(name, installed):
+    engine, box = installed(name), Body("box", Box((0.1, 0.1, 0.1)), 1.0, (0.5, 0.25, 2.0))
+    scene = Scenario("bowl", (BLOCK, box), (Pair("box", "block"),), 0.5)
+    plain = Scenario("box", (box,), (), 0.5)
+    with pytest.raises(NoWords, match="a polyhedron is in the way of a body that is no ball"):
         engine.check_settings(scene, engine.settings(plain, next(iter(engine.profiles(plain)))))
 
 

@@ -38,7 +38,7 @@ PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
 NOT_EXPRESSED = [*((name, "two-frictions") for name in ENGINES), ("mujoco", "struck-cube")]
 """Engines, and families of which they can express no case, so that there are no poses."""
 MOST_BYTES = 10_000_000
-CHECKSUM = "16da12110e583e7f51b2e4ae711109616069819084ce07ce839e4ef66520c81e"
+CHECKSUM = "18fd77518079dc2dbfdf972162649aa881e93af7cd5f49604361cc66d2d3baa9"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 SENSITIVITY = "4b5ad0cc3e9d23e3e0f2df1cc47cc494f2990d47b7df5eacebb759761b9ca027"
