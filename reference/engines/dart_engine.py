@@ -23,6 +23,7 @@ from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, Allowed
 from reference.engines.steering import sampled, unhurried
 from reference.errors import CannotExpress, RunFailed
 from reference.scene import geometry
+from reference.scene.draping import ball_under
 from reference.scene.loads import Loads
 from reference.scene.off_centre import may_strike_off_centre
 from reference.scene.pressed import sweeps_needed
@@ -113,6 +114,8 @@ class Dart(Engine):
                 # so much higher it does.
                 options["margin"] = 1e-9
             return Settings(1e-3, options=options)
+        if ball_under(scenario):
+            return Settings(1e-3, options=options)  # nothing rebounds, and what an impact leaves of overlap comes back
         # Only a small timestep removes what a step does to an impact: DART takes back hardly any overlap.
         return unhurried(scenario, Settings(1e-4, steps_per_sample(1e-4), options))
 

@@ -51,7 +51,7 @@ def set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings, marg
     spec.add_pair(
         geomname1=pair.body_a,
         geomname2=pair.body_b,
-        condim=mujoco_read_back.DIMENSIONS,
+        condim=mujoco_read_back.dimensions(settings),
         friction=[friction, friction, 0, 0, 0],
         **options,
     )

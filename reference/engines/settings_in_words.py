@@ -76,6 +76,7 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "impratio": "In the main solver friction is {} times as hard as the normal force (`impratio`).",
         "noslip iterations 0": "Friction is settled by the main solver alone (`noslip_iterations` = 0).",
         "noslip iterations": "After the main solver, {} passes settle friction (`noslip_iterations`).",
+        "frictionless True": "A contact has no friction, not even MuJoCo's least one (`condim` = 1).",
         "margin": "A contact counts from a gap of {m} on (`margin`).",
         "rays of triangles": "A ray meets the triangles of a mesh (`mj_ray`).",
         "distances of hull": "A gap is that to the convex hull of a mesh (`mj_geomDistance`).",

@@ -1,4 +1,4 @@
-"""Spring meshes: their shape at rest, their vibrations and their steps, all with the functions of the mesh topic."""
+"""Spring meshes: their shape at rest, their vibrations, their steps and their contacts, all with the mesh topic."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.handwritten.loads import LoadsByHand
-from reference.engines.handwritten.stepping import policy_of, record, start
+from reference.engines.handwritten.stepping import Step, policy_of, record, start
 from reference.engines.implementation import Implementation
+from reference.scene.draping import ball_under, reach
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.spring_network import network
@@ -38,6 +39,13 @@ def vibrate(
     return _run(_Vibrating, engine, scenarios, settings, steps, implementation)
 
 
+def drape(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """A mesh that comes to rest on a ball: it steps, and its nodes then respond to the ball that they have entered."""
+    return _run(_Draping, engine, scenarios, settings, steps, implementation)
+
+
 def _run(
     kind: type[_Mesh],
     engine: str,
@@ -49,7 +57,7 @@ def _run(
     found = []
     for scenario, count in zip(scenarios, steps, strict=True):
         mesh = kind(scenario, settings, implementation)
-        step = policy_of({"exact_root": mesh.step_exactly, "at_step": mesh.step_by_forces}, settings)
+        step = policy_of(mesh.policies(), settings)
         found += record(engine, [scenario], settings, [count], mesh.states, step, [[]])
     return found
 
@@ -70,6 +78,10 @@ class _Mesh:
         self.gravity = np.array(scenario.gravity)
         # Springs are the mesh's own; the rest of the forces is added to the weight.
         self._loads = LoadsByHand([replace(scenario, springs=())], implementation)
+
+    def policies(self) -> dict[str, Step]:
+        """The steps that this kind of mesh has."""
+        return {"exact_root": self.step_exactly, "at_step": self.step_by_forces}
 
     def step_exactly(self, time: float) -> None:
         """Take the state at the end of the step, as far as there is a formula for it."""
@@ -107,6 +119,28 @@ class _Settling(_Mesh):
         acceleration = self._acceleration(time, np.zeros_like(self.velocity))
         self.place = self.function("static_shape")(self.mesh, self.place, acceleration, BALANCE)
         self.velocity = np.zeros_like(self.velocity)
+
+
+class _Draping(_Mesh):
+    """A mesh of alike balls that comes to rest on a fixed ball, without friction or rebound."""
+
+    def __init__(self, scenario: Scenario, settings: Settings, implementation: Implementation) -> None:
+        super().__init__(scenario, settings, implementation)
+        ball = ball_under(scenario)
+        assert ball is not None
+        self._centre = np.array(ball.position)
+        self._reach = next(reach(ball, body) for body in scenario.bodies if not body.immovable)
+
+    def policies(self) -> dict[str, Step]:
+        """It has no shape at rest by a function of the lecture: `static_shape` knows no contact."""
+        return {"at_step": self.step_by_forces}
+
+    def step_by_forces(self, time: float) -> None:
+        """Step, and move the balls that the step has taken into the large one back onto it."""
+        super().step_by_forces(time)
+        self.place, self.velocity = self.function("mesh_sphere_contact")(
+            self.mesh, self.place, self.velocity, self._centre, self._reach
+        )
 
 
 class _Vibrating(_Mesh):
