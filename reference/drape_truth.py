@@ -38,20 +38,20 @@ class Ball:
 
 
 def draped(
-    place: Array, free: Integers, edges: Integers, stiffness: Numbers, rest_length: Numbers, load: Array, ball: Ball
+    place: Array, free: Integers, edges: Integers, springs: Numbers, rest_length: Numbers, load: Array, ball: Ball
 ) -> Array:
     """The shape with the least energy near `place` among those in which no node is inside the ball, (n, 3), m.
 
     Newton's method among the displacements that are allowed: a node that is pressed against the ball moves along it,
-    and one that is not, anywhere. Along the ball a node turns away from its tangent, and what presses it, N, then does
-    work: that takes N/reach off its stiffness. What a step puts into the ball is moved out before its energy counts.
+    and one that is not, anywhere. What a step puts into the ball is moved out before its energy counts. springs: the
+    stiffness of each, N/m.
 
     Raises
     ------
     RunFailed
         If it finds no such shape: nothing holds the mesh, say.
     """
-    told, movable = (edges, stiffness, rest_length), np.isin(np.arange(len(place)), free)
+    told, movable = (edges, springs, rest_length), np.isin(np.arange(len(place)), free)
     shape = ball.put_out(place, movable & (ball.outwards(place)[1] < 0))
     limit = BALANCED * max(float(np.abs(load[free]).max()), float(np.abs(net_force(shape, *told, load)[free]).max()))
     held = 0.0
@@ -60,10 +60,10 @@ def draped(
         pull = onto.T @ force.ravel()
         if np.abs(pull).max() <= limit:
             return shape
-        matrix = onto.T @ (stiffness_matrix(shape, *told) - _turning(shape, free, force, ball)) @ onto
-        softest, *_, stiffest = np.linalg.eigvalsh(matrix).tolist()
-        if softest < SOFT * stiffest:
-            held = max(held, SOFT * stiffest - 1.01 * softest)
+        matrix = stiffness(shape, free, *told, load, ball)
+        least, *_, stiffest = np.linalg.eigvalsh(matrix).tolist()
+        if least < SOFT * stiffest:
+            held = max(held, SOFT * stiffest - 1.01 * least)
         step = onto @ np.linalg.solve(matrix + held * np.eye(len(matrix)), pull)
         trial = shape + step.reshape(-1, 3)
         trial = ball.put_out(trial, movable & ((ball.outwards(trial)[1] < 0) | pressed(shape, free, force, ball)))
@@ -83,11 +83,11 @@ def pressed(place: Array, free: Integers, force: Array, ball: Ball) -> Mask:
 
 
 def allowed(
-    place: Array, free: Integers, edges: Integers, stiffness: Numbers, rest_length: Numbers, load: Array, ball: Ball
+    place: Array, free: Integers, edges: Integers, springs: Numbers, rest_length: Numbers, load: Array, ball: Ball
 ) -> Array:
     """Unit displacements that the ball allows, as columns, (3n, free ones): two of a pressed node, three of another."""
     normal, _ = ball.outwards(place)
-    on_it = pressed(place, free, net_force(place, edges, stiffness, rest_length, load), ball)
+    on_it = pressed(place, free, net_force(place, edges, springs, rest_length, load), ball)
     columns = []
     for node in free.tolist():
         axes = np.eye(3)
@@ -100,18 +100,24 @@ def allowed(
     return np.concatenate(columns, axis=1)
 
 
-def softest(
-    place: Array, free: Integers, edges: Integers, stiffness: Numbers, rest_length: Numbers, load: Array, ball: Ball
-) -> float:
-    """Least eigenvalue of the stiffness against what the ball allows, N/m: above zero where the shape is stable."""
-    told = edges, stiffness, rest_length
-    onto = allowed(place, free, *told, load, ball)
-    turning = _turning(place, free, net_force(place, *told, load), ball)
-    return float(np.linalg.eigvalsh(onto.T @ (stiffness_matrix(place, *told) - turning) @ onto)[0])
+def stiffness(
+    place: Array, free: Integers, edges: Integers, springs: Numbers, rest_length: Numbers, load: Array, ball: Ball
+) -> Array:
+    """What an allowed displacement, in the columns of `allowed`, takes off the net force along them, N/m.
 
-
-def _turning(place: Array, free: Integers, force: Array, ball: Ball) -> Array:
-    """What the bend of the ball takes off the stiffness of each pressed node, N/reach on its diagonal, (3n, 3n)."""
+    Along the ball a node turns away from its tangent by u²/(2 reach), and what presses it, N, then does work: that
+    takes N/reach off its stiffness. springs: stiffness of each, N/m.
+    """
+    told = edges, springs, rest_length
+    force, onto = net_force(place, *told, load), allowed(place, free, *told, load, ball)
     normal, _ = ball.outwards(place)
     press = np.where(pressed(place, free, force, ball), -np.sum(force * normal, axis=-1), 0.0)
-    return np.diag(np.repeat(press / np.where(press > 0, ball.reach, 1.0), 3))
+    bend = press / np.where(press > 0, ball.reach, 1.0)
+    return np.asarray(onto.T @ (stiffness_matrix(place, *told) - np.diag(np.repeat(bend, 3))) @ onto)
+
+
+def softest(
+    place: Array, free: Integers, edges: Integers, springs: Numbers, rest_length: Numbers, load: Array, ball: Ball
+) -> float:
+    """Least eigenvalue of the stiffness against what the ball allows, N/m: above zero where the shape is stable."""
+    return float(np.linalg.eigvalsh(stiffness(place, free, edges, springs, rest_length, load, ball))[0])
