@@ -67,8 +67,8 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     "cloth-over-a-ball": {
         ("pybullet", STOCK): f"{_DRAG} It leaves 10 µm of each overlap.",
         ("mujoco", STOCK): (
-            "MuJoCo's contact, as installed, is soft: masses rest up to 0.4 mm deep in the ball, the deeper the harder"
-            " they are pressed, and the cloth lies otherwise."
+            "MuJoCo's contact, as installed, is soft: masses rest up to half a millimetre deep in the ball, and"
+            " the cloth drapes otherwise."
         ),
     },
     "step-limit": {
