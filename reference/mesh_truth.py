@@ -80,8 +80,8 @@ def equilibrium(
         step = np.linalg.solve(matrix + held * np.eye(len(rows)), force).reshape(-1, 3)
         trial = shape.copy()
         trial[free] += step
-        before = _energy(shape, *told, load)
-        if _energy(trial, *told, load) <= before + ROUNDING * abs(before):
+        before = energy(shape, *told, load)
+        if energy(trial, *told, load) <= before + ROUNDING * abs(before):
             shape, held = trial, held / 4 if held > 1e-9 * np.abs(matrix).max() else 0.0
         else:
             held = max(4 * held, 1e-6 * float(np.abs(matrix).max()))
@@ -95,7 +95,8 @@ def softest(place: Array, free: Integers, edges: Integers, stiffness: Numbers, r
     return float(np.linalg.eigvalsh(matrix)[0])
 
 
-def _energy(place: Array, edges: Integers, stiffness: Numbers, rest_length: Numbers, load: Array) -> float:
+def energy(place: Array, edges: Integers, stiffness: Numbers, rest_length: Numbers, load: Array) -> float:
+    """Energy of the springs and of the loads, J: Σ k (L − L0)²/2 − Σ f·x."""
     _, length = _along(place, edges)
     return float(np.sum(stiffness * (length - rest_length) ** 2) / 2 - np.sum(load * place))
 

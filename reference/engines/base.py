@@ -27,6 +27,7 @@ from reference.scene.trajectory import Trajectory
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
 RULES = (
     RESPOND_THEN_STEP,
+    STEP_THEN_PUT_OUT,
     TURN_BACK,
     CHORD,
     PENALTY,
@@ -47,6 +48,7 @@ RULES = (
     ANSWERS_IN_SINGLE,
 ) = (
     "respond, then step",
+    "step, then put out",
     "turn back, then step",
     "chord",
     "penalty",

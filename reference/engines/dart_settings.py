@@ -8,6 +8,7 @@ from reference.engines.profiles import JOINT, STOCK
 from reference.engines.sliding_joint import has_joint
 from reference.engines.steering import sampled, unhurried
 from reference.scene import geometry
+from reference.scene.draping import ball_under
 from reference.scene.off_centre import may_strike_off_centre
 from reference.scene.pressed import sweeps_needed
 from reference.scene.scenario import Box, HalfSpace, Scenario, Sphere
@@ -62,6 +63,8 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
             # so much higher it does.
             options["margin"] = 1e-9
         return Settings(1e-3, options=options)
+    if ball_under(scenario):
+        return Settings(1e-3, options=options)  # nothing rebounds, and what an impact leaves of overlap comes back
     # Only a small timestep removes what a step does to an impact: DART takes back hardly any overlap.
     return unhurried(scenario, Settings(1e-4, steps_per_sample(1e-4), options))
 

@@ -19,6 +19,7 @@ from reference.engines.base import (
     PENALTY,
     RESPOND_THEN_STEP,
     RUNGE_KUTTA,
+    STEP_THEN_PUT_OUT,
     TURN_BACK,
     VERLET,
     Engine,
@@ -78,6 +79,9 @@ RULES = {INTERPOLATED: CHORD, AT_STEP: RESPOND_THEN_STEP, COMPLIANT: PENALTY}
 """The recurrences of the policies that have one; the exact root gives what theory says."""
 RULES_AT_A_WALL = {AT_STEP: TURN_BACK}
 """The same for a ball that flies at a thin wall, of which `overlap_interval` sees both faces."""
+RULES_ON_A_BALL = {AT_STEP: STEP_THEN_PUT_OUT}
+"""The same for a mesh on a ball, whose nodes respond where a step has taken them."""
+RULES_OF_KINDS: Mapping[Kind | None, Mapping[str, str]] = {Kind.THIN_WALL: RULES_AT_A_WALL, Kind.DRAPE: RULES_ON_A_BALL}
 RULES_OF_INTEGRATORS = {"explicit": EXPLICIT, "verlet": VERLET, "runge_kutta": RUNGE_KUTTA}
 """The recurrences of the policies that are integrators; semi-implicit Euler is every other step method's."""
 
@@ -112,10 +116,14 @@ DRIVERS = {
     Kind.ORBIT: flight.fly,
     Kind.MESH: spring_meshes.settle,
     Kind.VIBRATION: spring_meshes.vibrate,
+    Kind.DRAPE: spring_meshes.drape,
 }
 
 
-LETS_FORCES_ACT = Kind.SLIDE, Kind.PUSHED, Kind.SWINGING, Kind.FLIGHT, Kind.ORBIT, Kind.MESH, Kind.VIBRATION
+LETS_FORCES_ACT = (
+    *(Kind.SLIDE, Kind.PUSHED, Kind.SWINGING, Kind.FLIGHT, Kind.ORBIT),
+    *(Kind.MESH, Kind.VIBRATION, Kind.DRAPE),
+)
 """The kinds whose loops know forces besides weight and contact."""
 
 
@@ -157,6 +165,8 @@ class Handwritten(Engine):
         if kind(scenario) is Kind.ORBIT:  # the lecture has no closed form of it, and four ways to step it
             others = {"runge-kutta": "Runge–Kutta", "verlet": "velocity Verlet", "explicit": "explicit Euler"}
             return {profiles.WORLD: IN_THE_WORLD} | others | {profiles.STEP: "semi-implicit Euler"}
+        if kind(scenario) is Kind.DRAPE:  # the lecture has no shape at rest with contacts, and a step with them
+            return {profiles.WORLD: IN_THE_WORLD, profiles.STEP: "respond at the step"}
         found = {profiles.EXACT: "exact root", profiles.WORLD: IN_THE_WORLD}
         if kind(scenario) in BOUNCES:
             found[profiles.SLIDE] = "the slide's T"
@@ -202,7 +212,7 @@ class Handwritten(Engine):
         policy = POLICIES[str(settings["policy"])]
         if policy == COMPLIANT:
             return Method(COMPLIANT, stiffness=settings.number("stiffness"), rule=PENALTY)
-        rules = RULES_AT_A_WALL if kind(scenario) is Kind.THIN_WALL else RULES
+        rules = RULES_OF_KINDS.get(kind(scenario), RULES)
         rule = RULES_OF_INTEGRATORS.get(str(settings["policy"])) or rules.get(policy, "")
         return Method(policy, rest_speed=rest_speed, law=law, rule=rule)
 

@@ -90,7 +90,7 @@ def set_restitution_and_friction(
         spec.add_pair(
             geomname1=geom_a,
             geomname2=geom_b,
-            condim=mujoco_read_back.DIMENSIONS,
+            condim=mujoco_read_back.dimensions(settings),
             friction=[friction, friction, 0, 0, 0],
             **options,
         )

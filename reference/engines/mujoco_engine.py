@@ -35,6 +35,7 @@ from reference.engines.profiles import JOINT, SWEPT
 from reference.engines.ranges import COUNT_OR_NONE, NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
 from reference.engines.sliding_joint import SlidingJoint, has_joint, joint_of
 from reference.scene import geometry, leaping
+from reference.scene.draping import ball_under
 from reference.scene.loads import Loads
 from reference.scene.off_centre import may_rub_off_centre, may_strike_off_centre
 from reference.scene.query import Distance, Query, Ray
@@ -76,12 +77,15 @@ class MuJoCo(Engine):
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """`spring`, a resolved contact, joins where something falls; `swept` for fast shots; a spring has two more."""
+        """`spring`, a resolved contact, joins where something falls; `swept` for fast shots; a spring has two more.
+
+        A mesh that drapes over a ball does not rebound, and what forces it has it is told once a step.
+        """
         found = {"tuned": "one-step contact"}
         if leaping.may_leap(scenario):  # a spring would give way farther than the wall is thick
             found[SWEPT] = "contact a step ahead"
         elif scenario.pairs and not (
-            geometry.starts_in_contact(scenario) or scenario.steering or scenario.meets_a_solid
+            geometry.starts_in_contact(scenario) or scenario.steering or scenario.meets_a_solid or ball_under(scenario)
         ):
             found["spring"] = "spring–dashpot contact"
         if scenario.in_flight and len(scenario.springs) == 1:  # the lab computes the forces of a whole mesh

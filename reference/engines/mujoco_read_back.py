@@ -22,6 +22,11 @@ MOST_DAMPED = 5.0
 """Damping ratio of a spring that stands for e = 0, which has no finite one: it rebounds with 1 % of the speed."""
 
 
+def dimensions(settings: Settings) -> int:
+    """Dimensions of a contact's force."""
+    return 1 if settings.options.get("frictionless") else DIMENSIONS
+
+
 def margin_of(scenario: Scenario, settings: Settings) -> float:
     """The gap up to which MuJoCo makes a contact, m."""
     if "margin_steps" in settings.options:
@@ -75,7 +80,7 @@ def _check_pairs(model: Any, scenario: Scenario, settings: Settings) -> None:
 
 
 def _check_pair(model: Any, place: int, scenario: Scenario, pair: Pair, settings: Settings) -> None:
-    read_back.check_pair(TITLE, "dimensions of the contact", pair, DIMENSIONS, int(model.pair_dim[place]))
+    read_back.check_pair(TITLE, "dimensions of the contact", pair, dimensions(settings), int(model.pair_dim[place]))
     for axis in range(2):
         read_back.check_pair(TITLE, "friction", pair, pair.kinetic_friction, model.pair_friction[place, axis])
     for number in range(2):

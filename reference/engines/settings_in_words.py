@@ -81,6 +81,7 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "impratio": "In the main solver friction is {} times as hard as the normal force (`impratio`).",
         "noslip iterations 0": "Friction is settled by the main solver alone (`noslip_iterations` = 0).",
         "noslip iterations": "After the main solver, {} passes settle friction (`noslip_iterations`).",
+        "frictionless True": "A contact has no friction, not even MuJoCo's least one (`condim` = 1).",
         "margin": "A contact counts from a gap of {m} on (`margin`).",
         "contacts of hull": "A ball touches the convex hull of a solid (`mesh`).",
         "contacts of pieces": "A ball touches the convex pieces of a solid, each of them a geom (`mesh`).",

@@ -156,7 +156,7 @@ class Bullet(ByContact):
     btSequentialImpulseConstraintSolver::setupContactConstraint: the impulse is what the rate needs to be e times that
     of the approach, or zero below the threshold, and it never pulls. Where the surfaces are still apart, within
     `reach`, they may approach by the gap in this step. Split impulses move the body by `recovery` of its overlap, and
-    leave its velocity alone.
+    leave its velocity alone. An overlap of up to `slop` counts as a gap.
     """
 
     dt: float
@@ -164,6 +164,7 @@ class Bullet(ByContact):
     rest_speed: float
     recovery: float
     reach: float = 0.0
+    slop: float = 0.0
     in_parabolas: ClassVar[bool] = False
 
     def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
@@ -171,7 +172,8 @@ class Bullet(ByContact):
         after, push = rate + fall + others, 0.0
         if gap <= self.reach:
             rebound = max(-self.restitution * rate, 0.0) if -rate >= self.rest_speed else 0.0
-            after, push = max(after, rebound - max(gap, 0.0) / self.dt), self.recovery * max(-gap, 0.0)
+            left = gap + self.slop
+            after, push = max(after, rebound - max(left, 0.0) / self.dt), self.recovery * max(-left, 0.0)
         return after, push
 
 
@@ -296,7 +298,9 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
         slop, weighed = settings.number("overlap_slop"), bool(settings["with_weight"])
         return World(dt, restitution, method.rest_speed, method.recovery, slop, method.reach, weighed)
     if method.rule == BULLET:
-        return Bullet(dt, restitution, method.rest_speed, method.recovery, method.reach)
+        raised = "margin" in settings.options  # on ground that is a margin higher, and the slop is the margin
+        slop = settings.number("contact_slop") if "contact_slop" in settings.options and not raised else 0.0
+        return Bullet(dt, restitution, method.rest_speed, method.recovery, method.reach, slop)
     if method.rule == BULLET_SPRING:
         stiffness = settings.number("stiffness")
         damping = 2 * min(truth.damping_ratio(restitution), MOST_DAMPING_RATIO) * math.sqrt(stiffness)

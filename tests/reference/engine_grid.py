@@ -106,7 +106,7 @@ STRIKING = (
 )
 """What strikes another body, or spins as it strikes."""
 WALLED = ("corner", "two-walls")
-MESHES = ("hanging-chain", "step-limit", "hanging-cloth", "jelly")
+MESHES = ("hanging-chain", "step-limit", "hanging-cloth", "jelly", "cloth-over-a-ball")
 FLYING = ("projectile", "oscillator", "sinking-ball", "orbit", "driven-oscillator")
 """Balls that meet nothing."""
 SLIDING = (

@@ -54,6 +54,7 @@ MODULES = (
     "orbit",
     "hanging_cloth",
     "jelly",
+    "cloth_over_a_ball",
 )
 """In the order of the report within each topic. They are loaded together, and only once somebody needs the catalogue:
 a thousand scenarios take 50 ms to build."""

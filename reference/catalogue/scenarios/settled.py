@@ -7,12 +7,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from reference import mesh_truth
+from reference import drape_truth, mesh_truth
 from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation
 from reference.engines.base import EXACT, Method
 from reference.errors import RunFailed
+from reference.scene.draping import ball_under, reach
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.spring_network import network
@@ -31,7 +32,20 @@ Number = Callable[[Scenario, Array], float]
 def at_rest(scenario: Scenario) -> Array:
     """Where theory has the nodes of a mesh at rest, (n, 3), m."""
     net = network(scenario)
-    return mesh_truth.equilibrium(net.place, net.free, net.edges, net.stiffness, net.rest_length, net.load)
+    told = net.place, net.free, net.edges, net.stiffness, net.rest_length, net.load
+    ball = ball_of(scenario)
+    return drape_truth.draped(*told, ball) if ball else mesh_truth.equilibrium(*told)
+
+
+def ball_of(scenario: Scenario) -> drape_truth.Ball | None:
+    """The fixed ball on which a mesh may lie, as theory is told it; None where there is none."""
+    under = ball_under(scenario)
+    if under is None:
+        return None
+    met = {name for pair in scenario.pairs for name in (pair.body_a, pair.body_b)} - {under.name}
+    reaches = [reach(under, body) if body.name in met else 0.0 for body in scenario.bodies]
+    world = np.zeros(len(network(scenario).place) - len(reaches))
+    return drape_truth.Ball(np.array(under.position), np.concatenate([reaches, world]))
 
 
 def at_end(number: Number) -> Callable[[Trajectory], float]:

@@ -1,9 +1,12 @@
-"""Decides which scenarios the functions of the mesh topic can run: spring meshes that settle or vibrate."""
+"""Decides which scenarios the functions of the mesh topic can run: spring meshes that settle, vibrate or drape."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from reference.scene.draping import ball_under, reach
 from reference.scene.forces import Force
 from reference.scene.scenario import Scenario, Sphere
 from reference.scene.spring_network import network
@@ -33,6 +36,17 @@ def vibrates(scenario: Scenario) -> bool:
     shares = net.damping * net.stiffness[0] - net.damping[0] * net.stiffness
     alike = np.abs(shares) <= _ROUNDING * net.damping[0] * net.stiffness[0]
     return bool(np.all(slight) and np.all(alike))
+
+
+def drapes(scenario: Scenario) -> bool:
+    """Whether it is a mesh of alike balls that a viscous fluid brings to rest on a fixed ball, on pins and springs."""
+    ball = ball_under(scenario)
+    if ball is None or not (scenario.fluid and scenario.fluid.viscosity > 0):
+        return False
+    movable = [body for body in scenario.bodies if not body.immovable]
+    all_met = len(scenario.pairs) == len(movable)
+    alike = len({reach(ball, body) for body in movable}) == 1
+    return all_met and alike and _is_mesh(replace(scenario, pairs=())) and _all_hang(scenario)
 
 
 def _is_mesh(scenario: Scenario) -> bool:

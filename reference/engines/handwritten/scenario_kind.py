@@ -10,7 +10,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.handwritten.closed_forms import form_of
-from reference.engines.handwritten.mesh_kinds import settles, vibrates
+from reference.engines.handwritten.mesh_kinds import drapes, settles, vibrates
 from reference.engines.handwritten.scenario_bodies import (
     ROUNDING,
     along_own_axes,
@@ -62,6 +62,8 @@ class Kind(Enum):
     """Point masses on springs that a fluid brings to rest."""
     VIBRATION = "vibration"
     """Point masses on springs that vibrate."""
+    DRAPE = "drape"
+    """Small balls on springs that a fluid brings to rest on a fixed ball."""
 
 
 @lru_cache(maxsize=4096)
@@ -75,6 +77,8 @@ def kind(scenario: Scenario) -> Kind | None:
         return Kind.ORBIT
     if not scenario.pairs:
         return Kind.MESH if settles(scenario) else Kind.VIBRATION if vibrates(scenario) else None
+    if drapes(scenario):
+        return Kind.DRAPE
     if scenario.pushes_change:
         return _driven(scenario)
     if _is_row(scenario):

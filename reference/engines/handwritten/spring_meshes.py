@@ -1,9 +1,9 @@
-"""Spring meshes: their shape at rest, their vibrations and their steps, all with the functions of the mesh topic."""
+"""Spring meshes: their shape at rest, their vibrations, their steps and their contacts, all with the mesh topic."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -11,8 +11,9 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.handwritten.loads import LoadsByHand
-from reference.engines.handwritten.stepping import policy_of, record, start
+from reference.engines.handwritten.stepping import Step, policy_of, record, start
 from reference.engines.implementation import Implementation
+from reference.scene.draping import ball_under, reach
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.spring_network import network
@@ -39,8 +40,15 @@ def vibrate(
     return _run(_Vibrating, engine, scenarios, settings, steps, implementation)
 
 
+def drape(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """A mesh that comes to rest on a ball: it steps, and its nodes then respond to the ball that they have entered."""
+    return _run(_Draping, engine, scenarios, settings, steps, implementation)
+
+
 def _run(
-    kind: type[_Mesh],
+    kind: Callable[[Scenario, Settings, Implementation], _Mesh],
     engine: str,
     scenarios: Sequence[Scenario],
     settings: Settings,
@@ -50,12 +58,12 @@ def _run(
     found = []
     for scenario, count in zip(scenarios, steps, strict=True):
         mesh = kind(scenario, settings, implementation)
-        step = policy_of({"exact_root": mesh.step_exactly, "at_step": mesh.step_by_forces}, settings)
+        step = policy_of(mesh.policies(), settings)
         found += record(engine, [scenario], settings, [count], mesh.states, step, [[]])
     return found
 
 
-class _Mesh(ABC):
+class _Mesh:
     """The nodes of a scenario, its bodies first and then points of the world, and the implementation's mesh of them."""
 
     def __init__(self, scenario: Scenario, settings: Settings, implementation: Implementation) -> None:
@@ -72,9 +80,9 @@ class _Mesh(ABC):
         # Springs are the mesh's own; the rest of the forces is added to the weight.
         self._loads = LoadsByHand([replace(scenario, springs=())], implementation)
 
-    @abstractmethod
-    def step_exactly(self, time: float) -> None:
-        """Take the state at the end of the step from a formula for this kind of mesh."""
+    def policies(self) -> dict[str, Step]:
+        """The steps that this kind of mesh has."""
+        return {"at_step": self.step_by_forces}
 
     def step_by_forces(self, time: float) -> None:
         """Step with the forces at the start of the step."""
@@ -98,7 +106,19 @@ class _Mesh(ABC):
         return states
 
 
-class _Settling(_Mesh):
+class _Solved(_Mesh, ABC):
+    """A mesh whose motion, or what becomes of it, has a formula too."""
+
+    def policies(self) -> dict[str, Step]:
+        """The formula, and the steps."""
+        return {"exact_root": self.step_exactly, **super().policies()}
+
+    @abstractmethod
+    def step_exactly(self, time: float) -> None:
+        """Take the state at the end of the step from a formula for this kind of mesh."""
+
+
+class _Settling(_Solved):
     """A mesh that comes to rest."""
 
     def step_exactly(self, time: float) -> None:
@@ -110,7 +130,28 @@ class _Settling(_Mesh):
         self.velocity = np.zeros_like(self.velocity)
 
 
-class _Vibrating(_Mesh):
+class _Draping(_Mesh):
+    """A mesh of alike balls that comes to rest on a fixed ball, without friction or rebound.
+
+    No function of the lecture has its shape at rest: `static_shape` knows no contact.
+    """
+
+    def __init__(self, scenario: Scenario, settings: Settings, implementation: Implementation) -> None:
+        super().__init__(scenario, settings, implementation)
+        ball = ball_under(scenario)
+        assert ball is not None
+        self._centre = np.array(ball.position)
+        self._reach = next(reach(ball, body) for body in scenario.bodies if not body.immovable)
+
+    def step_by_forces(self, time: float) -> None:
+        """Step, and move the balls that the step has taken into the large one back onto it."""
+        super().step_by_forces(time)
+        self.place, self.velocity = self.function("mesh_sphere_contact")(
+            self.mesh, self.place, self.velocity, self._centre, self._reach
+        )
+
+
+class _Vibrating(_Solved):
     """A mesh that vibrates a little about the shape in which no spring pulls."""
 
     def __init__(self, scenario: Scenario, settings: Settings, implementation: Implementation) -> None:

@@ -1,4 +1,4 @@
-"""Cloth and jelly at rest: which motions their springs resist, and what is left where they settle."""
+"""Chains, cloth and jelly at rest: which motions their springs resist, and that each has one shape."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from reference import mesh_truth
+from reference import drape_truth, mesh_truth
 from reference.catalogue.scenarios import catalogue, settled
 from reference.catalogue.scenarios.jelly import PUSH, TOP
 from reference.scene.forces import Force
@@ -53,3 +53,16 @@ def test_a_mesh_has_one_shape_at_rest_from_wherever_it_comes(name):
         aside = shape.copy()
         aside[net.free] += drawn.normal(scale=5e-3, size=(len(net.free), 3))
         np.testing.assert_allclose(mesh_truth.equilibrium(aside, *told, net.load), shape, atol=1e-9)
+
+
+def test_a_drape_has_one_shape_at_rest_from_wherever_it_comes():
+    drawn = np.random.default_rng(28)
+    family = catalogue()["cloth-over-a-ball"]
+    for case in (*family.cases, *(family.grid.case(radius=radius) for radius in (0.025, 0.0275))):
+        scenario = case.scenarios[0]
+        net, shape, ball = network(scenario), settled.at_rest(scenario), settled.ball_of(scenario)
+        told = net.free, net.edges, net.stiffness, net.rest_length, net.load, ball
+        assert drape_truth.softest(shape, *told) > 1, "N/m: it is stable"
+        aside = shape.copy()
+        aside[net.free] += drawn.normal(scale=5e-3, size=(len(net.free), 3))
+        np.testing.assert_allclose(drape_truth.draped(aside, *told), shape, atol=1e-9)

@@ -13,11 +13,12 @@ from reference.engines import load_engine
 from reference.engines.handwritten.scenario_kind import Kind, kind
 from reference.engines.implementation import Implementation
 from reference.scene.forces import Attraction, Fluid, Force, GrowingForce, Spring
-from reference.scene.scenario import Scenario
+from reference.scene.scenario import Scenario, Sphere
 
 LIMIT = catalogue()["step-limit"]
 PATCH = LIMIT.cases[0].scenarios[0]
 CHAIN = catalogue()["hanging-chain"].cases[0].scenarios[0]
+DRAPE = catalogue()["cloth-over-a-ball"].cases[1].scenarios[0]
 SOFTER = """
 from solutions.meshes import edge_stiffness as right
 
@@ -37,6 +38,12 @@ def mesh_step(mesh, position, velocity, acceleration, dt):
     _, after = right(mesh, position, velocity, acceleration, dt)
     return position + dt * (velocity + after) / 2, after
 """
+LEFT_INSIDE = """
+from solutions.meshes import mesh_sphere_contact as right
+
+def mesh_sphere_contact(mesh, position, velocity, *more):
+    return position, right(mesh, position, velocity, *more)[1]
+"""
 
 
 def rows(source: str, profile: str, tmp_path, name: str = "hanging-chain", place: int = 0) -> dict[str, Row]:
@@ -45,7 +52,7 @@ def rows(source: str, profile: str, tmp_path, name: str = "hanging-chain", place
     path.write_text(source, encoding="utf-8")
     case, engine = catalogue()[name].cases[place], load_engine("handwritten", Implementation(f"{path} | solutions"))
     settings = engine.settings(case.scenarios[0], profile)
-    if name == "hanging-chain":
+    if name in ("hanging-chain", "cloth-over-a-ball"):
         settings = settings.change(timestep=4e-3)  # a quarter of the steps
     return {row.quantity: row for row in compare_case(catalogue()[name], case, engine, profile, settings)[0]}
 
@@ -53,6 +60,11 @@ def rows(source: str, profile: str, tmp_path, name: str = "hanging-chain", place
 def test_a_shape_at_rest_under_another_weight_turns_the_chain_red(tmp_path):
     found = rows(SHAPE_OF_OTHER_WEIGHT, "exact", tmp_path)
     assert {found[name].verdict for name in ("sag", "pull", "off")} == {Verdict.FAIL}
+
+
+def test_masses_that_are_left_inside_the_ball_turn_a_drape_red(tmp_path):
+    found = rows(LEFT_INSIDE, "step", tmp_path, "cloth-over-a-ball")
+    assert {name for name, row in found.items() if row.verdict is Verdict.FAIL} >= {"height", "carried", "sunk", "off"}
 
 
 def test_a_step_with_the_mean_velocity_shows_under_way(tmp_path):
@@ -80,6 +92,43 @@ def with_spring(**changes) -> Scenario:
     ids=["itself", "pushed", "pushed more", "thin", "not held", "off centre", "on the world", "attracted", "two"],
 )
 def test_a_mesh_settles_if_it_hangs_in_a_viscous_fluid(scenario, expected):
+    assert kind(scenario) is expected
+
+
+def other_mass(**changes) -> Scenario:
+    return replace(DRAPE, bodies=(DRAPE.bodies[0], replace(DRAPE.bodies[1], **changes), *DRAPE.bodies[2:]))
+
+
+def other_pair(**changes) -> Scenario:
+    return replace(DRAPE, pairs=(replace(DRAPE.pairs[0], **changes), *DRAPE.pairs[1:]))
+
+
+@pytest.mark.parametrize(
+    ("scenario", "expected"),
+    [
+        (DRAPE, Kind.DRAPE),
+        (other_mass(mass=0.1), Kind.DRAPE),
+        (other_mass(shape=Sphere(0.005)), None),
+        (other_mass(angular_velocity=(0.0, 0.0, 1.0)), None),
+        (other_pair(kinetic_friction=0.1, static_friction=0.1), None),
+        (other_pair(restitution=0.5), None),
+        (other_pair(body_a=DRAPE.bodies[2].name), None),
+        (replace(DRAPE, pairs=DRAPE.pairs[1:]), None),
+        (replace(DRAPE, fluid=()), None),
+    ],
+    ids=[
+        "itself",
+        "heavier",
+        "larger",
+        "spinning",
+        "rubs",
+        "rebounds",
+        "on another mass",
+        "passes through",
+        "no fluid",
+    ],
+)
+def test_a_mesh_drapes_if_alike_smooth_balls_come_to_rest_on_one(scenario, expected):
     assert kind(scenario) is expected
 
 

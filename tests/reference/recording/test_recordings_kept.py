@@ -38,7 +38,7 @@ PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
 NOT_EXPRESSED = [*((name, "two-frictions") for name in ENGINES), ("mujoco", "struck-cube")]
 """Engines, and families of which they can express no case, so that there are no poses."""
 MOST_BYTES = 10_000_000
-CHECKSUM = "18fd77518079dc2dbfdf972162649aa881e93af7cd5f49604361cc66d2d3baa9"
+CHECKSUM = "1999de56edebc1f625113a05a2814734d40111ad7381a90315b5b2cb03c1bb96"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 SENSITIVITY = "4b5ad0cc3e9d23e3e0f2df1cc47cc494f2990d47b7df5eacebb759761b9ca027"
