@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import importlib.util
 
-PACKAGES = ("labs.given", "solutions")
-"""Packages with one module per topic. A student's tree has the first, an instructor's tree the second."""
+from reference.engines.implementation import OURS
 
 
 def package_of_correct_functions() -> str:
-    """The first of `PACKAGES` that can be imported; empty if neither can. A student's `solutions.py` is none."""
-    specs = ((name, importlib.util.find_spec(name)) for name in PACKAGES)
+    """The first of `OURS` that can be imported; empty if neither can. A student's `solutions.py` is none."""
+    specs = ((name, importlib.util.find_spec(name)) for name in OURS)
     return next((name for name, spec in specs if spec and spec.submodule_search_locations), "")

@@ -33,7 +33,7 @@ def compare(
             "--at", metavar="NAME=VALUE", help="A scenario's parameter instead of its cases.", show_default=False
         ),
     ] = None,
-    implementation: jobs.Implementations = "solutions",
+    implementation: jobs.Implementations = jobs.CORRECT,
     workers: jobs.Workers = None,
     fresh: jobs.Fresh = False,
     cases: Annotated[bool, typer.Option("--cases", help="Print every case with its numbers.")] = False,

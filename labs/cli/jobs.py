@@ -12,6 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
+from labs.correct_functions import package_of_correct_functions
 from labs.desk.student_code import named_implementation
 from reference import checks
 from reference.catalogue.family import Family
@@ -50,6 +51,8 @@ Profiles = Annotated[
         show_default=False,
     ),
 ]
+CORRECT = package_of_correct_functions() or "solutions"
+"""The hand-written code that runs if none is named: the solutions, or what a student's tree has of them."""
 Implementations = Annotated[
     str,
     typer.Option(
@@ -66,7 +69,7 @@ def planned(
     scenarios: Sequence[str] | None,
     engines: Sequence[str] | None,
     profiles: Sequence[str] | None = None,
-    implementation: str = "solutions",
+    implementation: str = CORRECT,
     timestep: float | None = None,
     assignments: Sequence[str] | None = None,
     with_studies: bool = False,

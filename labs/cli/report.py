@@ -33,7 +33,7 @@ def report(
         list[str] | None, typer.Option("--only", help="A scenario; repeat for several.", show_default=False)
     ] = None,
     engine: jobs.Engines = None,
-    implementation: jobs.Implementations = "solutions",
+    implementation: jobs.Implementations = jobs.CORRECT,
     workers: jobs.Workers = None,
     fresh: jobs.Fresh = False,
 ) -> None:

@@ -46,7 +46,7 @@ def show(
         str | None, typer.Argument(metavar="NAME", help="A demonstration; without one they are listed.")
     ] = None,
     engine: jobs.Engines = None,
-    implementation: jobs.Implementations = "solutions",
+    implementation: jobs.Implementations = jobs.CORRECT,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the plot to a file too: .svg, .png or .pdf.")
     ] = None,

@@ -5,9 +5,10 @@ from __future__ import annotations
 import functools
 import importlib
 import importlib.util
+import re
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from importlib.machinery import PathFinder
 from pathlib import Path
@@ -16,6 +17,9 @@ from typing import Any
 
 from reference import lecture
 from reference.errors import InvalidInput, NeedsFunction, RunFailed, one_line
+
+OURS = ("labs.given", "solutions")
+"""Packages with correct functions. A student's tree has the first, an instructor's tree the second."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,23 @@ class Implementation:
                 _check_file(Path(source))
             elif not _is_package(source):
                 raise _no_implementation(source)
+
+    def takes_ours(self, names: Iterable[str]) -> bool:
+        """Whether functions of these names come from the lab's own packages.
+
+        No code is run to find out. A file that mentions one of the names, or imports `*`, may define it, and counts as
+        if it did; so does any package that is not the lab's.
+        """
+        mention = re.compile(r"\b(?:" + "|".join(map(re.escape, names)) + r")\b|import\s*\*")
+        for source in self.sources:
+            if source in OURS:
+                return True
+            path = Path(source)
+            if path.suffix != ".py" or not path.is_file():
+                return False
+            if mention.search(path.read_text(encoding="utf-8", errors="replace")):
+                return False
+        return False
 
     def function(self, name: str) -> Callable[..., Any]:
         """Return the function of that name; where it is not written yet, raise `NeedsFunction` that says what to do."""

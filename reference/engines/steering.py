@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import reprlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -224,6 +224,23 @@ WANTED: Mapping[str, Callable[[_Rule, Array, Array], Array]] = {
     "crowd_step": _in_a_crowd,
 }
 """The velocity that each rule wants, from the rule, positions and velocities. A repelling force wants none."""
+
+
+CALLS: Mapping[str, tuple[str, ...]] = {
+    "seek": ("seek", "steering_force"),
+    "flee": ("flee", "steering_force"),
+    "arrive": ("arrive", "steering_force"),
+    "repelling_force": ("repelling_force", "seek", "steering_force"),
+    "steer_around": ("steer_around", "seek", "steering_force"),
+    "flock_step": ("flock_step", "steer_around", "seek", "limited", "steering_force"),
+    "crowd_step": ("crowd_step", "arrive", "steering_force"),
+}
+"""The functions of an implementation that each rule may call."""
+
+
+def functions_of(scenarios: Iterable[Scenario]) -> frozenset[str]:
+    """The functions of an implementation that steer bodies of these scenarios."""
+    return frozenset(name for each in scenarios for told in each.steering for name in CALLS[told.rule])
 
 
 def _in_a_field(rule: _Rule, position: Array, velocity: Array) -> Array:

@@ -26,6 +26,7 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
+from reference.engines.steering import functions_of
 from reference.errors import CollisionsError, NotRecorded, listed
 from reference.recording.entries import Entry, case_of, name_of, names_of, timestep_of
 from reference.recording.files import MARK, Made, content_of, tracks_of, with_tuples
@@ -62,7 +63,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         return None
     family, engine = catalogue()[job.family], load_engine(job.engine)
     made = Made(**content["made"])
-    if family.steered and job.implementation != Implementation.source:
+    if _steers_by_itself(family, job):
         return _steered_by_others(job, family, taken["description"])
     rows = [row for case in job.cases_in(family, engine) for row in _rows(family, case, engine, job, taken)]
     rows = [
@@ -86,6 +87,12 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         recording=f"{MARK} {made}",
         poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
     )
+
+
+def _steers_by_itself(family: Family, job: Job) -> bool:
+    """Whether code that is not the lab's own may steer the bodies of a family."""
+    names = functions_of(scenario for case in family.cases for scenario in case.scenarios)
+    return bool(names) and not Implementation(job.implementation).takes_ours(names)
 
 
 def _steered_by_others(job: Job, family: Family, description: str) -> JobResult:
@@ -125,7 +132,7 @@ def replay(job: Job, case: str, folder: Path | None = None) -> Poses:
         If there are none, they are of other scenarios or settings than today's, or the job has other steering.
     """
     family, engine = catalogue()[job.family], load_engine(job.engine)
-    if family.steered and job.implementation != Implementation.source:
+    if _steers_by_itself(family, job):
         raise NotRecorded(f"{job}: {OWN_STEERING}")
     found = next((each for each in job.chosen(family) if each.name == case), None) or family.case(case)
     known, made = tracks_of(job.engine, job.family, folder)

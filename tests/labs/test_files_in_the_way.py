@@ -31,5 +31,5 @@ def test_the_program_runs_beside_files_with_the_names_of_packages(tmp_path):
 def test_a_file_named_solutions_is_no_package_of_right_answers(tmp_path, monkeypatch):
     (tmp_path / "solutions_of_mine.py").write_text("")
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(correct_functions, "PACKAGES", ("solutions_of_mine",))
+    monkeypatch.setattr(correct_functions, "OURS", ("solutions_of_mine",))
     assert correct_functions.package_of_correct_functions() == ""

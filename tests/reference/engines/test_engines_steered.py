@@ -14,8 +14,9 @@ from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
-from reference.engines.steering import steers_of
+from reference.engines.steering import functions_of, steers_of
 from reference.errors import InvalidInput, NeedsFunction, RunFailed
+from reference.lecture import function
 from reference.prediction import steered
 from reference.scene.clearance import nearest
 from reference.scene.geometry import gap, opposite, rotate
@@ -50,6 +51,16 @@ def scene(rule: str, duration: float = 0.6) -> Scenario:
     steering = Steering(rule, ("small", "large"), GOALS, 1.5, 0.05, 40.0, around, 0.05, told)
     bodies, pairs = (SMALL, PILLAR, LARGE), (Pair("small", "large"), Pair("small", "pillar"))
     return Scenario(f"steered/{rule}", bodies, pairs, duration, (0.0, 0.0, 0.0), steering=(steering,))
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_a_rule_calls_no_function_of_avoidance_that_is_not_listed(rule):
+    implementation, scenario = Implementation(), scene(rule)
+    engine = load_engine("handwritten", implementation)
+    engine.run(scenario, engine.settings(scenario, "world"))
+    called = {name for name in implementation.asked if function(name).topic == "avoidance"}
+    assert called
+    assert called <= functions_of([scenario])
 
 
 def counted(engine) -> str:

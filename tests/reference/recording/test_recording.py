@@ -260,6 +260,26 @@ def test_a_recording_answers_for_the_labs_own_steering_and_for_no_other():
     assert all(row.measured is not None for row in recall(without_steering).rows)
 
 
+@pytest.mark.parametrize(
+    ("text", "chain", "answered"),
+    [
+        ("def signed_distance(point, plane):\n    return 0.0\n", "mine.py | labs.given", True),
+        ("def signed_distance(point, plane):\n    return 0.0\n", "mine.py | solutions", True),
+        ("", "labs.given", True),
+        ("def seek(position, target, max_speed):\n    return position\n", "mine.py | labs.given", False),
+        ("steering_force = max\n", "mine.py | solutions", False),
+        ("from elsewhere import *\n", "mine.py | solutions", False),
+        ("", "mine.py", False),
+        ("", "theirs | solutions", False),
+    ],
+)
+def test_code_that_writes_no_rule_is_answered_with_the_labs_steering(text, chain, answered, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(text, encoding="utf-8")
+    rows = recall(Job("lone-flier", "mujoco", "tuned", implementation=chain)).rows
+    assert {row.verdict is not Verdict.NOT_AVAILABLE for row in rows} == {answered}
+
+
 def test_a_missing_engine_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")
