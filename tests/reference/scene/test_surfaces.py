@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from oracles import oracle
@@ -84,5 +86,5 @@ def test_the_flat_faces_of_a_hull_have_the_volume_that_another_package_finds():
 
 def _volume(points, faces) -> float:
     """A sixth of the triple products of each face's fan of triangles, m³: positive if all faces look outwards."""
-    fans = [points[[face[0], b, c]] for face in faces for b, c in zip(face[1:], face[2:], strict=False)]
+    fans = [points[[face[0], b, c]] for face in faces for b, c in itertools.pairwise(face[1:])]
     return float(sum(np.linalg.det(fan) for fan in fans)) / 6
