@@ -57,6 +57,15 @@ def test_a_body_at_rest_has_one_lasting_contact_and_no_impact():
     assert found == [Touch(0, 29, "ball", (0.0, 0.0, -0.1), (0.0, 0.0, 1.0))]
 
 
+@pytest.mark.parametrize(("height", "touching"), [(0.1875, True), (0.5, False)], ids=["floor", "lid"])
+def test_a_ball_in_a_bowl_touches_the_floor_and_no_lid(height, touching):
+    scenario = catalogue()["ball-in-a-bowl"].case("depth=0.3125").scenarios[0]
+    ball, solid = scenario.body("ball"), scenario.body("solid")
+    at_rest = (*ball.position[:2], solid.position[2] + height + 0.1)
+    found = touches(scenario, still(at_rest, names=("ball",)))
+    assert found == ([Touch(0, 29, "ball", (0.0, 0.0, -0.1), (0.0, 0.0, 1.0))] if touching else [])
+
+
 def test_a_rolling_ball_keeps_one_contact_below_its_centre():
     times = np.arange(40) / RATE
     poses = still((0.0, 0.0, 0.1), names=("ball",), count=40)
