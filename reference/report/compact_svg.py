@@ -13,6 +13,7 @@ FONT = "font-family: 'DejaVu Sans', sans-serif; "
 """What every text of a figure says of itself, and the figure can say for all."""
 _LINE = re.compile(r'(?<= d=")M -?[\d.]+ -?[\d.]+\s+(?:L -?[\d.]+ -?[\d.]+\s*)+(?=")')
 _MARKERS = re.compile(r"(<g clip-path=[^>]*)>((?:<use [^>]*/>)+)</g>")
+_TICK = re.compile(r'<path id="(\w+)" d="M 0 0 \s*L (-?[\d.]+) (-?[\d.]+)\s*"( style="[^"]*")/>')
 _STYLE = re.compile(r' style="[^"]*"')
 _NUMBER = re.compile(r"-?[\d.]+")
 
@@ -23,7 +24,20 @@ def compact(svg: str) -> str:
     svg = re.sub(r' transform="rotate\(-0 [^"]*"', "", svg)
     if FONT in svg:
         svg = svg.replace(FONT, "").replace("<svg", f'<svg style="{FONT.rstrip("; ")}"', 1)
-    return _without_bare_groups(_MARKERS.sub(_styled_together, re.sub(r">\s+<", "><", svg)))
+    return _ticks_together(_without_bare_groups(_MARKERS.sub(_styled_together, re.sub(r">\s+<", "><", svg))))
+
+
+def _ticks_together(svg: str) -> str:
+    """The same with one path for ticks that follow each other along an axis."""
+    for name, x, y, style in _TICK.findall(svg):
+        one = rf'<use xlink:href="#{name}" x="(-?[\d.]+)" y="(-?[\d.]+)"/>'
+
+        def drawn(ticks: re.Match[str], one: str = one, way: str = f"l{x} {y}", style: str = style) -> str:
+            places = re.findall(one, ticks[0])
+            return f'<path d="{"".join(f"M{at_x} {at_y}{way}" for at_x, at_y in places)}"{style}/>'
+
+        svg = re.sub(f"(?:{one}){{2,}}", drawn, svg)
+    return svg
 
 
 def _styled_together(group: re.Match[str]) -> str:

@@ -32,11 +32,22 @@ def test_a_case_and_a_grid_point_with_the_same_name_are_the_same():
             assert case.name not in [own.name for own in family.cases] or case in family.cases, case.name
 
 
+ONE_TIMESTEP = {
+    *("step-limit", "hanging-cloth", "jelly"),
+    *("antipodal-circle", "crossing-streams", "flock-past-pillar"),
+}
+"""Grids with one timestep. Of step-limit the parameter `ratio` is already the timestep over its limit. The others are
+there for another parameter, and half the timestep changes little: in MuJoCo the depth of the cloth and the height of
+the jelly by 10⁻⁵ of themselves at most, and the arrival of the last walker by up to 0.2 s of 6.6. A second timestep of
+all six would take a megabyte of recordings, which hold 8.4 of the 10 MB that they may."""
+
+
 def test_values_and_timesteps_of_a_grid_increase():
     for family in FAMILIES:
         values, timesteps = [parameter.values for parameter in family.grid.parameters], family.grid.timesteps
         assert all(row == tuple(sorted(set(row))) for row in (*values, timesteps)), family.name
-        assert all(len(row) > 1 for row in values), family.name  # a timestep may be the only one, as of who is steered
+        assert all(len(row) > 1 for row in values), family.name
+        assert (len(timesteps) == 1) == (family.name in ONE_TIMESTEP), family.name
 
 
 def test_every_value_in_range_makes_a_case():

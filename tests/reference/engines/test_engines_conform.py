@@ -37,12 +37,15 @@ from reference.scene.survey import Survey
 # What a trajectory is
 
 
+IN_SINES = {("oscillator", "exact"), ("driven-oscillator", "exact")}
+
+
 @every_cell
 def test_a_trajectory_starts_at_time_zero_in_the_scenarios_state(cell, trajectory):
     bodies = SCENARIOS[cell.scenario].bodies
     assert trajectory.times[0] == 0
-    # A closed form gives the start to rounding; all others begin with the very numbers.
-    near = ROUNDING if cell.profile == "exact" else 0.0
+    # The sines of a closed form give the start to a rounding or two of 1 m; all others begin with the very numbers.
+    near = 4e-16 if (cell.scenario, cell.profile) in IN_SINES else 0.0
     np.testing.assert_allclose(trajectory.positions[0], [body.position for body in bodies], rtol=0, atol=near)
     np.testing.assert_allclose(trajectory.velocities[0], [body.velocity for body in bodies], rtol=0, atol=near)
     np.testing.assert_allclose(trajectory.orientations[0], [body.orientation for body in bodies], atol=ROUNDING)
@@ -95,8 +98,8 @@ def test_an_immovable_body_does_not_move(cell, trajectory):
     [
         cell
         for cell in CELLS
-        if cell.scenario == "thrown-ball"
-        and cell.profile in load_engine(cell.engine).profiles(SCENARIOS["dropped-ball"])
+        # By hand penalty springs are for scenarios of up to 0.4 s, and the dropped ball of this test takes longer.
+        if cell.scenario == "thrown-ball" and (cell.engine, cell.profile) != ("handwritten", "spring")
     ],
     is_often,
 )
@@ -150,7 +153,7 @@ def test_one_profile_counts_and_is_first_and_the_plain_one_is_last(name):
             assert list(found) == (["exact"] if isinstance(scenario, Survey) else [WORLD])
             continue
         first, *between, last = found
-        by_hand = ["exact" if "exact" in found else WORLD, "step"]  # no closed form says where an orbit leads
+        by_hand = [WORLD if scenario.name == "orbit" else "exact", "step"]  # no closed form says where an orbit leads
         assert [first, last] == (by_hand if name == "handwritten" else ["tuned", "stock"]), scenario.name
         assert not any((counts(each) and each != WORLD) or is_plain(each) for each in between), scenario.name
         assert all(line.strip() for line in found.values()), scenario.name

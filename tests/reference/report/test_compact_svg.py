@@ -49,3 +49,12 @@ def test_markers_of_one_style_have_it_in_their_group_and_others_keep_their_own()
     assert [group.get("style") for group in groups] == ["fill: red", None]
     assert [[use.get("style") for use in group] for group in groups] == [[None, None], ["fill: red", "fill: blue"]]
     assert [[use.get("x") for use in group] for group in groups] == [["0", "1"]] * 2
+
+
+def test_ticks_that_follow_each_other_are_one_path_in_the_same_places():
+    tick = '<defs><path id="m3" d="M 0 0 \nL 0 2 \n" style="stroke: #000000"/></defs>'
+    uses = [f'<use xlink:href="#m3" x="{x}" y="197.59"/>' for x in (1.5, 2, 30.25)]
+    head = '<svg xmlns:xlink="http://www.w3.org/1999/xlink">'
+    root = ElementTree.fromstring(compact(f"{head}{tick}<g>{uses[0]}</g><g>{uses[1]}</g><text>1</text>{uses[2]}</svg>"))
+    assert [each.tag for each in root] == ["defs", "path", "text", "use"]
+    assert root[1].attrib == {"d": "M1.5 197.59l0 2M2 197.59l0 2", "style": "stroke: #000000"}
