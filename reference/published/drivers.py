@@ -30,9 +30,9 @@ from reference.published.in_engines import springs as springs_in_engines
 
 HANDWRITTEN = "handwritten"
 """The engine that runs the functions of an implementation."""
-STEERS = "no engine chooses velocities; it only moves bodies that are steered"
+STEERS = "no engine steers; it moves what is steered"
 NOT_SET_UP = "the lab has not set it up there"
-NO_REST = "a cable of stiff springs would swing for minutes, in steps of milliseconds, before it comes to rest"
+NO_REST = "a cable of stiff springs swings for minutes, in steps of milliseconds, before its pulls are those at rest"
 NO_SPRINGS = {"dart": "its contacts have no spring and no dashpot that one could set"}
 
 

@@ -136,10 +136,14 @@ def test_tables_of_cases_can_be_sorted_by_the_size_of_the_error(tree):
 def test_a_familys_section_has_its_whole_description(family, tree):
     section = with_id(tree, family.name)
     assert section.all("h2")[0].text == family.title
+    marked = []
     for text in (family.about, family.expected, *family.why):
+        marked += re.findall(r"`([^`]+)`", text)
         for prose in re.sub(r"`[^`]+`", "\0", text).split("\0"):  # formulas are typeset
             assert prose.strip() in section.text
-    assert len(section.all("math")) == sum(text.count("`") for text in (family.about, family.expected, *family.why)) / 2
+    code = [name for name in marked if re.match("[A-Za-z]{3}", name)]
+    assert set(code) <= {element.text for element in section.all("code")}
+    assert len(section.all("math")) == len(marked) - len(code)
 
 
 @every_family
