@@ -82,6 +82,10 @@ class WorkerCrashed(RunFailed):
     """The worker process died while it ran the job."""
 
 
+class WorkerStopped(WorkerCrashed):
+    """Nobody waits for the job any more, and its worker process was stopped."""
+
+
 class WorkerTimeout(RunFailed):
     """The job went past its time limit and its worker process was stopped."""
 

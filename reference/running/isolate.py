@@ -21,7 +21,7 @@ from collections.abc import Callable
 from typing import Any, ParamSpec, TypeVar
 
 from reference import checks
-from reference.errors import RunFailed, WorkerCrashed, WorkerTimeout
+from reference.errors import RunFailed, WorkerCrashed, WorkerStopped, WorkerTimeout
 from reference.running.worker import read_message, too_long, write_message
 
 P = ParamSpec("P")
@@ -53,7 +53,7 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     WorkerTimeout
         If the job went past its limit.
     WorkerCrashed
-        If the process died, or was stopped by `stop_workers`.
+        If the process died; `WorkerStopped`, a kind of it, if `stop_workers` stopped it.
     CollisionsError
         As the function raised it. Any other exception arrives as `RunFailed` with its last line.
     """
@@ -65,6 +65,8 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     except (WorkerCrashed, WorkerTimeout) as error:
         _log.log(logging.INFO if worker.unwanted else logging.WARNING, "worker %d is lost: %s", worker.pid, error)
         worker.stop()
+        if worker.unwanted:
+            raise WorkerStopped(str(error)) from None
         raise
     except BaseException:
         _return(worker)

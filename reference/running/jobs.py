@@ -10,7 +10,17 @@ from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
 from reference.engines import load_engine
-from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, InvalidInput, NeedsFunction, RunFailed
+from reference.errors import (
+    CannotExpress,
+    CollisionsError,
+    EngineNotInstalled,
+    InvalidInput,
+    NeedsFunction,
+    RunFailed,
+    WorkerCrashed,
+    WorkerStopped,
+    WorkerTimeout,
+)
 from reference.running.cache import Cache, key_of, key_of_recorded
 from reference.running.isolate import run_isolated, stop_workers
 from reference.running.protocol import Job, Result
@@ -35,13 +45,16 @@ class Work(Generic[J, R]):
 
     run: do the job here and now, within a worker. recorded: the result that was measured elsewhere, None where there is
     no recording. refused: the result that says why there is no number, from the job, the error and how long it took, s.
-    in_order: the order in which to start jobs.
+    in_order: the order in which to start jobs. parts: the jobs of which one consists, if it has several cases that can
+    run alone. joined: the result of a job from those of its parts.
     """
 
     run: Callable[[J], R]
     recorded: Callable[[J], R | None]
     refused: Callable[[J, CollisionsError, float], R]
     in_order: Callable[[Iterable[J]], list[J]]
+    parts: Callable[[J], list[J]] = lambda job: []
+    joined: Callable[[J, list[R]], R] | None = None
 
 
 def recall(jobs: Iterable[Job], cache: Cache) -> list[Any]:
@@ -125,11 +138,32 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
         result = _recorded(job, work, error, start)
         key = key_of_recorded(job) if cache and result.recording else None
     except (NeedsFunction, CannotExpress, RunFailed) as error:
-        result = work.refused(job, error, time.perf_counter() - start)
+        lost = isinstance(error, WorkerCrashed | WorkerTimeout) and not isinstance(error, WorkerStopped)
+        result = (lost and _part_by_part(job, work, timeout)) or work.refused(job, error, time.perf_counter() - start)
     _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
     if cache:
         cache.put(job, key, result)
     return result
+
+
+def _part_by_part(job: J, work: Work[J, R], timeout: float) -> R | None:
+    """The result of a job whose process was lost, from runs of each part by itself; None if it has no parts.
+
+    Only the part that crashes or hangs is lost then. All parts together have as much time as the job had.
+    """
+    parts = work.parts(job)
+    if len(parts) < 2 or work.joined is None:
+        return None
+    found: list[R] = []
+    for part in parts:
+        start = time.perf_counter()
+        try:
+            found.append(run_isolated(work.run, timeout / len(parts), part))
+        except WorkerStopped:
+            return None
+        except (NeedsFunction, CannotExpress, RunFailed) as error:
+            found.append(work.refused(part, error, time.perf_counter() - start))
+    return work.joined(job, found)
 
 
 def _recorded(job: J, work: Work[J, R], missing: EngineNotInstalled, start: float) -> R:

@@ -7,6 +7,7 @@ import itertools
 import logging
 import time
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
@@ -226,5 +227,33 @@ def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, 
     return convergence, split(asked, convergence.order if convergence else None)
 
 
-SCENARIOS: Work[Job, JobResult] = Work(run_job, reading.recall, _without_answer, longest_first)
+def _case_by_case(job: Job) -> list[Job]:
+    """A job for each case of a job, without studies; none of points of a grid, or of a case at given parameters."""
+    if job.grid or job.at:
+        return []
+    family = catalogue()[job.family]
+    cases = job.cases_in(family, load_engine(job.engine, Implementation(job.implementation)))
+    return [replace(job, cases=(case.name,), with_studies=False) for case in cases]
+
+
+def _joined(job: Job, found: list[JobResult]) -> JobResult:
+    """One result of the results of single cases. Of a case without numbers the row names the case."""
+    family = catalogue()[job.family]
+    ran = [each for each in found if each.version] or found
+    plotted = next((each for each in ran if each.job.cases == (family.curve.case,)), ran[0])
+    rows = [
+        replace(row, case=each.job.cases[0]) if row.case == ALL_CASES else row for each in found for row in each.rows
+    ]
+    return replace(
+        plotted,
+        job=job,
+        rows=tuple(rows),
+        poses=tuple(track for each in found for track in each.poses),
+        functions=tuple(sorted({name for each in found for name in each.functions})),
+        seconds=sum(each.seconds for each in found),
+        processor_seconds=sum(each.processor_seconds for each in found),
+    )
+
+
+SCENARIOS: Work[Job, JobResult] = Work(run_job, reading.recall, _without_answer, longest_first, _case_by_case, _joined)
 """The jobs of the lab's own catalogue."""

@@ -69,6 +69,25 @@ def test_a_job_that_hangs_is_stopped_and_the_others_finish(tmp_path):
     assert [row.verdict for row in results[GOOD].rows] == [Verdict.PASS] * 4
 
 
+DIES, HANGS = ("os._exit(7)", "exit code 7"), ("threading.Event().wait()", "no answer within 6 s")
+
+
+@pytest.mark.parametrize(
+    ("ending", "note"), [pytest.param(*DIES, id="dies"), pytest.param(*HANGS, id="hangs", marks=pytest.mark.slow)]
+)
+def test_a_case_that_hangs_or_dies_costs_no_other_case_its_numbers(ending, note, tmp_path):
+    body = f"if scenario.pairs[0].restitution == 0.8:\n    {ending}\nfor _ in range(steps + 1): recorder.sample(state)"
+    engine, cases = engine_file(tmp_path, "uneven", body), ("e=0.8", "e=0.5", "e=0.2")
+    job = Job("dropped-ball", engine, "tuned", cases, with_studies=True)
+    result = run_one(job, SCENARIOS, 6.0 * len(cases))
+    lost = [row for row in result.rows if row.verdict is Verdict.CRASHED]
+    assert [row.case for row in lost] == ["e=0.8"]
+    assert note in lost[0].note
+    assert {row.case for row in result.rows if row.measured is not None} == {"e=0.5", "e=0.2"}
+    assert (result.job, result.convergence) == (job, None)
+    assert result.series is not None
+
+
 def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
     bad = Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(1)"), "tuned", ("e=0.5",))
     assert run_one(bad, SCENARIOS, ENOUGH).rows[0].verdict is Verdict.CRASHED
