@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from markupsafe import Markup, escape
 
 _FORMULA = re.compile(r"`([^`]+)`")
-_CODE = re.compile(r"(?!sin|cos|tan)[A-Za-z]{3,}\w*( \w+)*(=\w+)?")
+_CODE = re.compile(r"(?!(sin|cos|tan)\b)[A-Za-z]{3,}[\w-]*( \w+)*(=\w+)?")
 """A name in code, a profile of two words, or an option with its value."""
 _TOKEN = re.compile(
     r"(?P<raised>[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]+)|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₙ]+|_[^\W_]+)|\s*(?P<number>[0-9]+(\.[0-9]+)?)"
