@@ -13,11 +13,11 @@ from collections.abc import Sequence
 from markupsafe import Markup, escape
 
 _FORMULA = re.compile(r"`([^`]+)`")
-_CODE = re.compile(r"(?!sin|cos|tan)[A-Za-z]{3,}\w*( \w+)*(=\w+)?")
+_CODE = re.compile(r"(?!(sin|cos|tan)\b)[A-Za-z]{3,}[\w-]*( \w+)*(=\w+)?")
 """A name in code, a profile of two words, or an option with its value."""
 _TOKEN = re.compile(
     r"(?P<raised>[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]+)|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₙ]+|_[^\W_]+)|\s*(?P<number>[0-9]+(\.[0-9]+)?)"
-    r"|\s*(?P<name>sin|cos|tan|dt|[^\W\d_])|\s*(?P<sign>[-+−=<>≤≥≈≠·×±√/(),^])"
+    r"|\s*(?P<name>asin|sin|cos|tan|dt|[^\W\d_])|\s*(?P<sign>[-+−=<>≤≥≈≠·×±√/(),^])"
 )
 _RAISED = str.maketrans("⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ", "−+0123456789n")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₙ", "0123456789n")
@@ -92,7 +92,7 @@ class _Bracketed(str):
 
 
 _OPEN, _CLOSE = '<mo stretchy="false">(</mo>', '<mo stretchy="false">)</mo>'
-_FUNCTIONS = ("sin", "cos", "tan")
+_FUNCTIONS = ("asin", "sin", "cos", "tan")
 
 
 def _factor(tokens: list[tuple[str, str]]) -> str:

@@ -54,7 +54,10 @@ def test_prose_about_a_formula_is_escaped_and_the_terminal_has_no_backticks():
     assert plain("the share `d/2` of it") == "the share d/2 of it"
 
 
-@pytest.mark.parametrize("name", ["mesh_step", "ccdSweptSphereRadius", "inertia box", "enableConeFriction=0"])
+@pytest.mark.parametrize(
+    "name",
+    ["mesh_step", "tangent_point", "hanging-chain", "ccdSweptSphereRadius", "inertia box", "enableConeFriction=0"],
+)
 def test_a_name_in_code_is_no_formula(name):
     assert typeset(f"with `{name}` alone") == f"with <code>{name}</code> alone"
 
