@@ -14,6 +14,7 @@ from reference.catalogue.scenarios.solids import Placed
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.errors import NotAsTold
+from reference.scene import geometry
 from reference.scene.scenario import Pair
 
 CASE, FLOOR = f"depth={DEEP:g}", bowls.RIM - DEEP
@@ -48,6 +49,21 @@ def test_as_installed_a_ball_rests_on_the_lid_of_the_bowls_hull(name, margin, in
     on_the_block = rows(name, "stock", "hull")["rest"]
     assert on_the_block.measured == pytest.approx(found["rest"].measured, abs=1e-6)
     assert on_the_block.verdict is Verdict.PASS
+
+
+@pytest.mark.parametrize(("name", "margin"), [("pybullet", 1e-3), ("mujoco", 0.0)])
+def test_as_installed_a_contact_has_the_gap_to_the_block_that_is_the_hull(name, margin, installed):
+    engine = installed(name)
+    found = engine.run(SCENE, engine.settings(SCENE, "stock"))
+    contacts = found.contacts
+    block = replace(SCENE.body("solid"), shape=BLOCK.body("solid").shape)
+    assert len(contacts.sample) > 50
+    for sample, separation, normal in zip(contacts.sample, contacts.separation, contacts.normal, strict=True):
+        ball = replace(SCENE.body("ball"), position=tuple(found.position("ball")[sample]))
+        # A contact is found before its step moves the ball, which falls at up to 2 m/s.
+        near = 2.1 * found.settings.timestep
+        assert separation + margin == pytest.approx(geometry.gap(ball, block), abs=near)
+        assert abs(normal[2]) == pytest.approx(1.0, abs=1e-6)
 
 
 @pytest.mark.parametrize("name", ["pybullet", "mujoco"])

@@ -12,7 +12,17 @@ from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.trajectory import Trajectory
 
-with_contacts = fast_and_slow([cell for cell in CELLS if cell.engine in REPORT_CONTACTS], is_often)
+
+def has_another_shape(cell: Cell) -> bool:
+    """Whether the engine has another solid than the scenario; `test_ball_in_a_bowl` looks at these contacts.
+
+    As installed PyBullet and MuJoCo have the hull of a bowl, and DART gives depths in it a wrong sign.
+    """
+    return cell.scenario == "ball-in-a-bowl" and cell.profile == "stock"
+
+
+REPORTED = [cell for cell in CELLS if cell.engine in REPORT_CONTACTS and not has_another_shape(cell)]
+with_contacts = fast_and_slow(REPORTED, is_often)
 RESTING = ("sliding-slab", "incline", "lying-box", "stack")
 CHECKED = 60
 """Samples of a trajectory, shared among its pairs, at which the gap is worked out."""
