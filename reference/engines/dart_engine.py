@@ -286,9 +286,9 @@ def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], con
     """DART's normal points from its second object to its first, and depth is positive inside.
 
     Its point lies midway between the surfaces, with two exceptions. For a ball on something flat DART's own detector
-    gives a point of the flat surface. For two balls the Flexible Collision Library, DART's default, divides the way from
-    centre to centre as the radii are to each other. Bodies are recognized by their shapes, since asking a collision
-    object for its frame makes the process crash as it ends.
+    gives a point of the flat surface. For two balls the Flexible Collision Library, DART's default, divides the way
+    from centre to centre as the radii are to each other. Bodies are recognized by their shapes, since asking a
+    collision object for its frame makes the process crash as it ends.
     """
     first, second = (
         next(place for place, shape in enumerate(shapes) if thing.getShape() is shape)
