@@ -230,9 +230,10 @@ def _state(scenario: Scenario, bodies: list[Any]) -> list[float]:
 def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any, settings: Settings) -> None:
     """DART's normal points from its second object to its first, and depth is positive inside.
 
-    Its point lies midway between the surfaces, except for a ball on something flat with DART's own detector:
-    then it lies on the flat surface. Bodies are recognized by their shapes, since asking a collision object for its
-    frame makes the process crash as it ends.
+    Its point lies midway between the surfaces, with two exceptions. For a ball on something flat DART's own detector
+    gives a point of the flat surface. For two balls the Flexible Collision Library, DART's default, divides the way
+    from centre to centre as the radii are to each other. Bodies are recognized by their shapes, since asking a
+    collision object for its frame makes the process crash as it ends.
     """
     first, second = (
         next(place for place, shape in enumerate(shapes) if thing.getShape() is shape)
@@ -241,8 +242,12 @@ def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], con
     normal, depth = contact.normal.ravel(), contact.penetrationDepth
     flat = settings.options.get("detector") == "dart"
     margin = settings.number("margin") if "margin" in settings.options else 0.0
-    balls = [flat and isinstance(scenario.bodies[place].shape, Sphere) for place in (first, second)]
-    middle = contact.point.ravel() + (balls[1] - balls[0]) * depth / 2 * normal
+    both = [scenario.bodies[place].shape for place in (first, second)]
+    balls = [flat and isinstance(shape, Sphere) for shape in both]
+    inside = (balls[1] - balls[0]) / 2
+    if settings.options.get("detector", "fcl") == "fcl" and isinstance(both[0], Sphere) and isinstance(both[1], Sphere):
+        inside = 1 / 2 - both[0].radius / (both[0].radius + both[1].radius)
+    middle = contact.point.ravel() + inside * depth * normal
     place, separation = from_raised(scenario.bodies, (first, second), middle, normal, -depth, margin)
     recorder.contact(first, second, place, normal.tolist(), separation)
 
