@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -51,7 +52,7 @@ class Both:
         found = float(one @ other) * self.inverse_mass
         return found + sum(float(cross(arm, other) @ inertia @ cross(arm, one)) for _, arm, inertia, _ in self.sides)
 
-    @property
+    @cached_property
     def inverse_mass(self) -> float:
         """Sum of the inverse masses, 1/kg."""
         return float(sum(self.bodies.inverse_mass[place] for place, *_ in self.sides))
@@ -89,11 +90,14 @@ class Both:
 
     def met(self, weight: Array, others: Array) -> Met:
         """The contact at the start of a step in which weight and other contacts add to its velocities, (2,) each."""
-        (slip, rate), (along, across), (by_others, by_others_across) = (
-            each.tolist() for each in (self.before, weight, others)
-        )
-        contact = Contact(*self.inverse_masses, slip, rate, self.meeting.pair.kinetic_friction)
-        return Met(contact, self.touched.gap, (along, across), (by_others, by_others_across), self.inverse_mass)
+        (along, across), (by_others, by_others_across) = weight.tolist(), others.tolist()
+        return Met(self._contact, self.touched.gap, (along, across), (by_others, by_others_across), self.inverse_mass)
+
+    @cached_property
+    def _contact(self) -> Contact:
+        """The contact at the start of the step, of which every sweep of the step asks."""
+        slip, rate = self.before.tolist()
+        return Contact(*self.inverse_masses, slip, rate, self.meeting.pair.kinetic_friction)
 
 
 def points_of(settings: Settings, method: Method) -> str:

@@ -47,7 +47,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     states = [state]
     advance = integrators.STEPS.get(method.rule, integrators.semi_implicit_euler)
     for number in range(steps):
-        position, orientation, velocity, spin = np.split(state.copy(), (3, 7, 10), axis=-1)
+        position, orientation, velocity, spin = state[:, :3], state[:, 3:7], state[:, 7:10], state[:, 10:].copy()
         torque = np.zeros(spin.shape)
 
         def pull(

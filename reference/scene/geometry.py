@@ -15,13 +15,21 @@ from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphe
 TOUCHING = 2e-6
 """Two bodies with a smaller gap touch at the start, m. The catalogue's gaps keep clear of it, so that rounding does not
 decide: the cradle's 1 µm counts as touching, its 10 µm does not."""
+_NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
+"""For each axis, the next and the one after it."""
+
+
+def cross(one: Array, other: Array) -> Array:
+    """Product a × b of vectors (..., 3), to the last bit that of NumPy, whose own takes three times as long."""
+    first = one.take(_NEXT, -1) * other.take(_AFTER, -1)
+    return np.asarray(first - one.take(_AFTER, -1) * other.take(_NEXT, -1))
 
 
 def rotate(orientation: Array, vector: Array) -> Array:
     """Rotate vectors (..., 3) by unit quaternions (..., 4), w x y z: v + 2 w (q × v) + 2 q × (q × v)."""
     w, q = orientation[..., :1], orientation[..., 1:]
-    twice = 2 * np.cross(q, vector)
-    return np.asarray(vector + w * twice + np.cross(q, twice))
+    twice = 2 * cross(q, vector)
+    return np.asarray(vector + w * twice + cross(q, twice))
 
 
 def opposite(orientation: Array) -> Array:
@@ -38,7 +46,7 @@ def turned(orientation: Array, rotation: Array) -> Array:
     w, q = np.cos(angle / 2), rotation * np.sinc(angle / (2 * np.pi)) / 2
     w_before, q_before = orientation[..., :1], orientation[..., 1:]
     scalar = w * w_before - np.sum(q * q_before, axis=-1, keepdims=True)
-    return np.concatenate([scalar, w * q_before + w_before * q + np.cross(q, q_before)], axis=-1)
+    return np.concatenate([scalar, w * q_before + w_before * q + cross(q, q_before)], axis=-1)
 
 
 def quaternion_between(start: Array, end: Array) -> Array:

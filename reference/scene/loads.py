@@ -82,6 +82,8 @@ class _Springs:
             np.array([scenario.index(name) if name else world for name in names])
             for names in ([each.body_a for each in springs], [each.body_b for each in springs])
         ]
+        self.on_bodies = [np.flatnonzero(end < world) for end in self.ends]
+        """Places of the springs of which this end is on a body."""
         self.points = np.array([each.point_a for each in springs]), np.array([each.point_b for each in springs])
         self.stiffness = np.array([each.stiffness for each in springs])
         self.rest_length = np.array([each.rest_length for each in springs])
@@ -106,7 +108,7 @@ class _Springs:
             for number, (end, point) in enumerate(zip(self.ends, self.points, strict=True)):
                 arms.append(geometry.rotate(turn[..., end, :], np.broadcast_to(point, places[number].shape)))
                 places[number] = at[..., end, :] + arms[-1]
-                speeds[number] = speeds[number] + np.cross(turns[..., end, :], arms[-1])
+                speeds[number] = speeds[number] + geometry.cross(turns[..., end, :], arms[-1])
         along = places[0] - places[1]
         length = np.linalg.norm(along, axis=-1)
         direction = along / np.where(length > 0, length, 1.0)[..., None]
@@ -114,10 +116,10 @@ class _Springs:
         pull = -self.stiffness * (length - self.rest_length) - self.damping * rate
         on_first = pull[..., None] * direction
         for number, (end, own) in enumerate(zip(self.ends, (on_first, -on_first), strict=True)):
-            there = np.flatnonzero(end < force.shape[-2])
+            there = self.on_bodies[number]
             _add(force, end[there], own[..., there, :])
             if arms:
-                _add(torque, end[there], np.cross(arms[number], own)[..., there, :])
+                _add(torque, end[there], geometry.cross(arms[number], own)[..., there, :])
 
 
 class _Attractions:
@@ -162,9 +164,15 @@ class _Immersed:
 
 def _add(total: Array, places: Integers, values: Array) -> None:
     """Add vectors (…, n, 3) to those at these places (n,), which may come several times."""
-    np.add.at(np.moveaxis(total, -2, 0), places, np.moveaxis(values, -2, 0))
+    if len(places) == 1:
+        total[..., places[0], :] += values[..., 0, :]
+    elif total.ndim == 2:
+        np.add.at(total, places, values)
+    else:
+        np.add.at(np.moveaxis(total, -2, 0), places, np.moveaxis(values, -2, 0))
 
 
 def _with_world(values: Array, own: tuple[float, ...]) -> Array:
-    last = np.broadcast_to(np.array(own), (*values.shape[:-2], 1, values.shape[-1]))
-    return np.concatenate([values, last], axis=-2)
+    found = np.empty((*values.shape[:-2], values.shape[-2] + 1, values.shape[-1]))
+    found[..., :-1, :], found[..., -1, :] = values, own
+    return found

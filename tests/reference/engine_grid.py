@@ -41,7 +41,7 @@ def lying_box() -> Scenario:
     """A box that lies on its end, its own x axis up, and turned by 30° about the vertical."""
     on_end, about_z = (HALF_TURN, 0, -HALF_TURN, 0), (math.cos(math.pi / 12), 0, 0, math.sin(math.pi / 12))
     box = Body("box", Box((0.1, 0.2, 0.3)), 1.5, (0.3, -0.4, 0.1), product(about_z, on_end))
-    return Scenario("lying-box", (FLOOR, box), (Pair("floor", "box", kinetic_friction=0.5),), FALLING)
+    return Scenario("lying-box", (FLOOR, box), (Pair("floor", "box", kinetic_friction=0.5),), RESTING)
 
 
 def product(left, right) -> tuple[float, float, float, float]:

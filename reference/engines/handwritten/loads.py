@@ -16,6 +16,8 @@ from reference.scene.scenario import Scenario, Sphere
 
 GRAVITATIONAL_CONSTANT = 6.67430e-11
 """G of CODATA 2018, N m²/kg²: with this one `universal_gravity` works."""
+_WORLD = np.zeros((1, 3)), np.array([[1.0, 0.0, 0.0, 0.0]]), np.zeros((1, 3)), np.zeros((1, 3))
+"""Position, orientation, velocity and spin of the world, to which springs are tied: a body at rest in the origin."""
 
 
 class LoadsByHand:
@@ -68,18 +70,23 @@ class LoadsByHand:
         self._found = force[:-1], torque[:-1]
         return self._found
 
-    def _stretch(self, force: Array, torque: Array, state: Sequence[Array]) -> None:
-        nowhere, upright = np.zeros((1, 3)), np.array([[1.0, 0.0, 0.0, 0.0]])
-        position, orientation, velocity, spin = (
-            np.concatenate([each, own]) for each, own in zip(state, (nowhere, upright, nowhere, nowhere), strict=True)
-        )
+    @cached_property
+    def _stretched(self) -> tuple[list[list[int]], list[Array], list[Array]]:
+        """Places and points of the two ends of all springs; their stiffness, rest length and damping."""
         first, second, springs = (list(each) for each in zip(*self._springs, strict=True))
-        arms, moving = [], self._function("point_velocity")
-        for end, points in ((first, [each.point_a for each in springs]), (second, [each.point_b for each in springs])):
-            arms.append(geometry.rotate(orientation[end], np.array(points)))
-        numbers = (
+        points = [np.array([getattr(each, name) for each in springs]) for name in ("point_a", "point_b")]
+        numbers = [
             np.array([getattr(each, name) for each in springs]) for name in ("stiffness", "rest_length", "damping")
+        ]
+        return [first, second], points, numbers
+
+    def _stretch(self, force: Array, torque: Array, state: Sequence[Array]) -> None:
+        position, orientation, velocity, spin = (
+            np.concatenate([each, own]) for each, own in zip(state, _WORLD, strict=True)
         )
+        (first, second), points, numbers = self._stretched
+        moving = self._function("point_velocity")
+        arms = [geometry.rotate(orientation[end], own) for end, own in zip((first, second), points, strict=True)]
         pull = self._function("spring_damper_force")(
             position[first] + arms[0],
             position[second] + arms[1],
@@ -89,7 +96,7 @@ class LoadsByHand:
         )
         for end, arm, own in ((first, arms[0], pull), (second, arms[1], -pull)):
             np.add.at(force, end, own)
-            np.add.at(torque, end, np.cross(arm, own))
+            np.add.at(torque, end, geometry.cross(arm, own))
 
     @cached_property
     def _attracted(self) -> tuple[list[int], list[int], list[Array]]:
@@ -108,13 +115,19 @@ class LoadsByHand:
         np.add.at(force, first, pull)
         np.add.at(force, second, -pull)
 
-    def _immerse(self, force: Array, torque: Array, state: Sequence[Array]) -> None:
+    @cached_property
+    def _immersed(self) -> tuple[list[int], tuple[Array, ...]]:
+        """Places of the balls in a fluid; and radius, density, viscosity and velocity of the fluid, and gravity."""
         places, radii, fluids, gravity = (list(column) for column in zip(*self._balls, strict=True))
-        radius, viscosity = np.array(radii), np.array([fluid.viscosity for fluid in fluids])
-        stream = np.array([fluid.velocity for fluid in fluids])
+        density, viscosity, stream = (
+            np.array([getattr(fluid, name) for fluid in fluids]) for name in ("density", "viscosity", "velocity")
+        )
+        return places, (np.array(radii), density, viscosity, stream, np.array(gravity))
+
+    def _immerse(self, force: Array, torque: Array, state: Sequence[Array]) -> None:
+        places, (radius, density, viscosity, stream, gravity) = self._immersed
         factor = self._function("sphere_shape_factor")(radius)
-        density = np.array([fluid.density for fluid in fluids])
         force[places] += self._function("stokes_drag")(state[2][places], stream, viscosity, factor)
-        force[places] += self._function("buoyancy")(4 / 3 * math.pi * radius**3, density, np.array(gravity))
+        force[places] += self._function("buoyancy")(4 / 3 * math.pi * radius**3, density, gravity)
         # The lecture has no drag on a spin; Stokes' law for it, −8πηr³ ω.
         torque[places] -= (8 * math.pi * viscosity * radius**3)[:, None] * state[3][places]

@@ -13,12 +13,14 @@ from typing import NamedTuple
 import pytest
 from program import QUICK, SLIDE, Said, collisions, files_in
 from whole_report import check_whole
+from run_allowances import spent, too_long
 
 from labs.cli import jobs
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import JobResult
 from reference.engines import engine_names, load_engine
 from reference.engines.profiles import counts
+from reference.pace import slowness
 from reference.report.row_files import read_published, read_rows
 from reference.scene.survey import Survey
 
@@ -193,11 +195,15 @@ def verdict_counts(rows):
 def test_in_the_whole_report_every_counted_verdict_agrees(tmp_path, installed, capsys):
     for name in engine_names():
         installed(name)
-    start = time.monotonic()
+    start, here = time.monotonic(), slowness()
     said = collisions("report", "--out", tmp_path / "report")
+    here = max(here, slowness())
+    timings = json.loads((tmp_path / "report" / "timings.json").read_text(encoding="utf-8"))["seconds"]
     with capsys.disabled():
         print(f"\nthe whole report took {time.monotonic() - start:.0f} s")
+        print(f"its runs took {sum(spent(timings, here).values()):.0f} s of the machine of the allowances")
     assert said.code == 0
+    assert too_long(timings, here) == {}
     rows = read_rows(tmp_path / "report" / "rows.json")
     judged = [row for row in rows if counts(row.profile) and row.expected is not None]
     families = set(catalogue())

@@ -116,6 +116,14 @@ def test_in_the_whole_report_every_recorded_number_agrees(tmp_path):
     rows = read_rows(tmp_path / "report" / "rows.json")
     assert {row.engine for row in rows if row.measured is not None} == set(engine_names())
     assert "not available" not in {str(row.verdict) for row in rows}
+    told = {(row.family, row.engine, row.profile, row.case) for row in rows if row.engine in ENGINES}
+    assert told == {
+        (family.name, name, profile, case.name)
+        for family in catalogue().values()
+        for name in ENGINES
+        for profile in family.profiles(load_engine(name))
+        for case in family.cases
+    }
     judged = {str(row.verdict) for row in rows if counts(row.profile) and row.expected is not None}
     assert judged == {"pass", "known deviation", "disagrees"}
     check_whole(rows)

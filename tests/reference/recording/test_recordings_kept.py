@@ -7,7 +7,6 @@ import hashlib
 import random
 import warnings
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -70,17 +69,12 @@ def is_recorded(family: str, engine: str) -> bool:
     return not never_recorded(family, (engine,))
 
 
-def also_slow(jobs: list[Job]) -> list[Any]:
-    """Parameters: of each family one tuned run, in one engine after another; the other runs are slow.
+TURNS = {family: ENGINES[number % len(ENGINES)] for number, family in enumerate(catalogue())}
+"""Of each family the engine in which `make test` judges its recording again, one engine after another.
 
-    Whether any of them is stale is asked of every engine in `make test`. What a slow one adds is the judging again.
-    """
-    turns = {family: ENGINES[number % len(ENGINES)] for number, family in enumerate(catalogue())}
-    slow = pytest.mark.slow
-    return [
-        job if job.profile == "tuned" and job.engine == turns[job.family] else pytest.param(job, marks=slow)
-        for job in jobs
-    ]
+All recordings are judged where a report is made without engines (tests/labs/cli/test_without_engines.py).
+"""
+JUDGED = [job for job in JOBS if job.profile == "tuned" and job.engine == TURNS[job.family]]
 
 
 @functools.cache
@@ -88,7 +82,7 @@ def recalled(job: Job) -> JobResult | None:
     return recall(job)
 
 
-@pytest.mark.parametrize("job", also_slow(JOBS), ids=str)
+@pytest.mark.parametrize("job", JUDGED, ids=str)
 def test_every_run_is_recorded_and_up_to_date(job):
     if words := never_recorded(job.family, (job.engine,)):
         warnings.warn(words, stacklevel=1)
@@ -147,7 +141,16 @@ def test_every_published_case_is_recorded_and_none_fails(name):
     assert not {case: note for case, (verdict, note) in verdicts.items() if verdict in wrong}
 
 
-@pytest.mark.parametrize("job", also_slow([job for job in JOBS if job.profile == "tuned"]), ids=str)
+@pytest.mark.slow
+@pytest.mark.parametrize("job", JOBS, ids=str)
+def test_every_plotted_curve_is_recorded(job):
+    if not is_recorded(job.family, job.engine):
+        return
+    found = recall(replace(job, cases=(catalogue()[job.family].curve.case,), with_studies=False))
+    assert found.series is not None or Verdict.CANNOT_EXPRESS in {row.verdict for row in found.rows}
+
+
+@pytest.mark.parametrize("job", JUDGED, ids=str)
 def test_recorded_tuned_numbers_agree_with_theory(job):
     if is_recorded(job.family, job.engine):
         assert not [row for row in recalled(job).rows if row.verdict in (Verdict.FAIL, Verdict.CRASHED)]

@@ -1,0 +1,46 @@
+"""What the runs of the catalogue may cost: processor seconds for each family in each engine, all profiles together.
+
+A live report of everything should take six minutes on two idle cores. It is 468 runs, in some two hundred pairs of a
+family and an engine, which have 720 s of processor for themselves and the pages. Seconds are those of the machine of
+the allowances (`reference.pace`).
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+SECONDS = 6.0
+"""For a family in an engine that is not named below. Most need less than 2 s, with their studies."""
+MORE = {
+    ("ball-to-rest", "dart"): 14.0,  # up to 14 s of motion in steps of 0.1 ms, and more of them in the study
+    ("ball-to-rest", "pybullet"): 12.0,  # the same with a contact spring, which needs steps of 0.05 ms
+    ("ball-to-rest", "handwritten"): 8.0,  # the same by four methods
+    ("incline", "handwritten"): 10.0,  # 25 slopes by three methods, each predicted step by step
+    ("critical-incline", "handwritten"): 8.0,  # 8 slopes, likewise
+    ("sliding-slab", "handwritten"): 8.0,  # 15 slabs, likewise
+    ("orbit", "handwritten"): 10.0,  # three orbits by five methods, one of them the world, and studies of each
+    ("stack", "handwritten"): 30.0,  # estimated: ten boxes and five for 10 s in the world, of 1 to 5 ms a step
+}
+"""Those that may take longer, and why."""
+NOISE = 2.0
+"""A run takes up to half as long again beside others on the same processors; only beyond twice is something wrong."""
+
+
+def too_long(timings: Iterable[Mapping[str, Any]], slowness: float) -> dict[tuple[str, str], float]:
+    """Families and engines that took longer than twice their allowance, and how long, s.
+
+    timings: the entries of a report's `timings.json`. What came from the cache took nothing. slowness: of the machine.
+    """
+    took = spent(timings, slowness)
+    return {pair: seconds for pair, seconds in took.items() if seconds > NOISE * MORE.get(pair, SECONDS)}
+
+
+def spent(timings: Iterable[Mapping[str, Any]], slowness: float) -> dict[tuple[str, str], float]:
+    """Processor time of each family in each engine, s."""
+    took: Counter[tuple[str, str]] = Counter()
+    for entry in timings:
+        if not entry["cached"]:
+            took[entry["family"], entry["engine"]] += entry["processor_seconds"] / slowness
+    return dict(took.most_common())
