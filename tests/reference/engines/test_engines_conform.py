@@ -153,7 +153,8 @@ def test_one_profile_counts_and_is_first_and_the_plain_one_is_last(name):
             assert list(found) == (["exact"] if isinstance(scenario, Survey) else [WORLD])
             continue
         first, *between, last = found
-        by_hand = [WORLD if scenario.name == "orbit" else "exact", "step"]  # no closed form says where an orbit leads
+        # No closed form says where an orbit leads, or how a cloth comes to lie on a ball.
+        by_hand = [WORLD if scenario.name in ("orbit", "cloth-over-a-ball") else "exact", "step"]
         assert [first, last] == (by_hand if name == "handwritten" else ["tuned", "stock"]), scenario.name
         assert not any((counts(each) and each != WORLD) or is_plain(each) for each in between), scenario.name
         assert all(line.strip() for line in found.values()), scenario.name

@@ -185,6 +185,7 @@ def test_by_hand_these_cases_run_in_the_world_alone_and_no_case_waits():
         "superball": 4,
         "crossed-edges": 4,
         "mass-ratios": 5,
+        "ball-in-a-bowl": 5,
         "antipodal-circle": 3,
         "crossing-streams": 3,
         "lone-flier": 2,
