@@ -51,7 +51,7 @@ class Met:
         own, (along, across) = (
             self.contact,
             self.added,
-        )  # in full, as `replace` takes longer than all the rest of a rule
+        )  # in full: `replace` takes longer than the rest of a rule
         k_tt, k_nn = own.k_tt * (1 + softness), own.k_nn * (1 + softness)
         return Contact(k_tt, own.k_tn, k_nn, own.slip + along, own.normal + across, own.friction)
 
@@ -100,7 +100,7 @@ class ByVelocity:
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
-        along, across = met.added
+        _along, across = met.added
         after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
         change = (after - met.contact.normal - across) * (1 + self.softness)
         if change <= 0:
@@ -123,7 +123,7 @@ class InTheWorld:
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
-        along, across = met.added
+        _along, across = met.added
         after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
         change = after - met.contact.normal - across
         if change <= 0:
@@ -152,7 +152,7 @@ class MuJoCos:
             return Given()
         law, contact, dt = self.law, met.contact, self.law.dt
         friction = max(contact.friction, LEAST_FRICTION)
-        along, across = met.added
+        _along, across = met.added
         lean = along / dt + self.friction_damping * contact.slip / law.impedance
         press = across / dt + (law.damping * contact.normal + law.stiffness * met.gap) / law.impedance
         yielding = (1 - law.impedance) / law.impedance * met.inverse_mass

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import pytest
 from program import QUICK, SLIDE, Said, collisions, files_in
-from whole_report import check_whole
 from run_allowances import spent, too_long
+from whole_report import check_whole
 
 from labs.cli import jobs
 from reference.catalogue.scenarios import catalogue
