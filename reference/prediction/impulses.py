@@ -152,7 +152,7 @@ class MuJoCos:
             return Given()
         law, contact, dt = self.law, met.contact, self.law.dt
         friction = max(contact.friction, LEAST_FRICTION)
-        _along, across = met.added
+        along, across = met.added
         lean = along / dt + self.friction_damping * contact.slip / law.impedance
         press = across / dt + (law.damping * contact.normal + law.stiffness * met.gap) / law.impedance
         yielding = (1 - law.impedance) / law.impedance * met.inverse_mass
