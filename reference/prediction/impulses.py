@@ -97,7 +97,7 @@ class ByVelocity:
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
-        along, across = met.added
+        across = met.added[1]
         after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
         change = (after - met.contact.normal - across) * (1 + self.softness)
         if change <= 0:
