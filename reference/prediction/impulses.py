@@ -17,7 +17,7 @@ from reference.engines.base import (
     RESPOND_THEN_STEP,
     Method,
 )
-from reference.engines.dart_settings import SOFTNESS
+from reference.engines.dart_engine import SOFTNESS
 from reference.impact_truth import NEWTON, Contact, dissipated, held, planar_impact, stuck
 from reference.prediction.laws import Bullet, BulletSpring, Dart, MuJoCoOneStep, World, law_of
 from reference.scene.scenario import Pair
@@ -48,10 +48,7 @@ class Met:
 
     def free(self, softness: float = 0.0) -> Contact:
         """The contact with what the step adds to its velocities, and the diagonal of K larger by a share `softness`."""
-        own, (along, across) = (
-            self.contact,
-            self.added,
-        )  # in full: `replace` takes longer than the rest of a rule
+        own, (along, across) = self.contact, self.added  # told in full: `replace` takes longer than the rest of a rule
         k_tt, k_nn = own.k_tt * (1 + softness), own.k_nn * (1 + softness)
         return Contact(k_tt, own.k_tn, k_nn, own.slip + along, own.normal + across, own.friction)
 
@@ -100,7 +97,7 @@ class ByVelocity:
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
-        _along, across = met.added
+        across = met.added[1]
         after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
         change = (after - met.contact.normal - across) * (1 + self.softness)
         if change <= 0:
@@ -123,7 +120,7 @@ class InTheWorld:
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
-        _along, across = met.added
+        across = met.added[1]
         after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
         change = after - met.contact.normal - across
         if change <= 0:
