@@ -32,7 +32,7 @@ def test_every_mass_lands_and_slides_as_the_law_of_its_contact_says(name, profil
     settings = engine.settings(FALL, profile)
     found, method = engine.run(FALL, settings), engine.method(FALL, settings)
     prediction = draped.predict(FALL, settings, method)
-    # 300 steps of 19 masses leave some 10⁻¹⁵ m of rounding; MuJoCo's solver ten times that.
+    # 300 steps of 18 masses leave some 10⁻¹⁵ m of rounding; MuJoCo's solver ten times that.
     np.testing.assert_allclose(found.positions, prediction.trajectory.positions, rtol=0, atol=1e-13)
     without = loaded.predict(replace(FALL, pairs=()), settings, method)
     if without is not None:  # the rule of the step by hand with contacts is no rule of flight
