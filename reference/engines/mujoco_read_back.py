@@ -67,13 +67,14 @@ def _check_geoms(model: Any, scenario: Scenario) -> None:
 
 
 def _check_pairs(model: Any, scenario: Scenario, settings: Settings) -> None:
-    bodies = (model.geom_bodyid - 1).tolist()  # body 0 is the world
+    bodies = dict(enumerate((model.geom_bodyid - 1).tolist()))  # body 0 is the world
     geoms = zip(model.pair_geom1.tolist(), model.pair_geom2.tolist(), strict=True)
-    made = [frozenset((bodies[first], bodies[second])) for first, second in geoms]
+    made = [frozenset((bodies.get(first), bodies.get(second))) for first, second in geoms]
     for pair in scenario.pairs:
         both = [scenario.index(pair.body_a), scenario.index(pair.body_b)]
         places = [place for place, two in enumerate(made) if two == frozenset(both)]
-        told = math.prod(bodies.count(body) for body in both)  # a solid has a geom for each of its pieces
+        # A solid has a geom for each of its pieces.
+        told = math.prod(list(bodies.values()).count(body) for body in both)
         read_back.check_pair(TITLE, "contact pairs", pair, told, len(places))
         for place in places:
             _check_pair(model, place, scenario, pair, settings)

@@ -186,7 +186,7 @@ MISMATCHES = [
     ),
     (
         "mujoco",
-        "contact pair of ball and floor 0, and was told 1",
+        "contact pairs of ball and floor 0, and was told 1",
         model_told("pair_geom1", lambda geoms: geoms * 0 + 9),
     ),
     ("mujoco", "friction of ball and floor 0.41041", model_told("pair_friction", scaled(1.001))),

@@ -11,7 +11,7 @@ from reference.errors import InvalidInput, UnknownName
 from reference.scene import geometry
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Segment
-from reference.scene.scenario import Body, Pair, Sphere
+from reference.scene.scenario import Body, Box, Pair, Sphere
 from reference.scene.survey import at_time, survey
 
 CORNERS = ((0, 0, 0), (2, 0, 0), (0, 3, 0), (0, 0, 4))
@@ -67,7 +67,7 @@ def test_a_polyhedron_that_could_move_is_refused_and_so_is_its_gap():
     with pytest.raises(InvalidInput, match="a polyhedron has mass 1"):
         replace(SOLID, mass=1.0)
     with pytest.raises(InvalidInput, match="solid is a mesh"):
-        geometry.gap(BALL, SOLID)
+        geometry.gap(replace(BALL, shape=Box((1, 1, 1))), SOLID)
 
 
 def test_a_question_is_about_the_body_that_the_survey_has():
