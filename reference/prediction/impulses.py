@@ -17,7 +17,7 @@ from reference.engines.base import (
     RESPOND_THEN_STEP,
     Method,
 )
-from reference.engines.dart_engine import SOFTNESS
+from reference.engines.dart_settings import SOFTNESS
 from reference.impact_truth import NEWTON, Contact, dissipated, held, planar_impact, stuck
 from reference.prediction.laws import Bullet, BulletSpring, Dart, MuJoCoOneStep, World, law_of
 from reference.scene.scenario import Pair
