@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 from reference.comparison.verdicts import Row, Verdict, why
 from reference.engines.handwritten_engine import Handwritten
+from reference.engines.implementation import Implementation
+from reference.engines.steering import functions_of
 from reference.report.sections import Line, Section
 
 _SAID = {
@@ -24,7 +26,12 @@ _SAID = {
     Verdict.SHOWN: "the numbers of {who} are only shown",
 }
 """What is said of implementations by their worst verdict."""
-_OF_ONE = {" agree ": " agrees ", " differ ": " differs ", " are ": " is ", " wait ": " waits ", " have ": " has "}
+_OF_ONE = {
+    f" {several} ": f" {one} "
+    for several, one in {
+        "agree": "agrees", "differ": "differs", "are": "is", "wait": "waits", "have": "has", "need": "needs"
+    }.items()
+}  # fmt: skip
 
 
 def counted(section: Section) -> str:
@@ -72,6 +79,12 @@ def tolerances(section: Section, quantity: str) -> list[tuple[str, list[str]]]:
     return [(reason, list(titles)) for reason, titles in found.items()]
 
 
+_STEERED = (
+    "The code that is tried here steers the bodies of the engines too. A check that fails in all implementations is a"
+    " fault of that code."
+)
+
+
 @dataclass(frozen=True)
 class Remark:
     """Why numbers deviate or are missing, as a sentence."""
@@ -89,13 +102,24 @@ def remarks(section: Section) -> list[Remark]:
                 kind = row.verdict, *_words_of(row)
                 times = found.setdefault(kind, {}).setdefault(line.name, {})
                 times[line.result.job.profile] = times.get(line.result.job.profile, 0) + 1
-    return [Remark(verdict, _remark(words, note, times)) for (verdict, words, note), times in found.items()]
+    said = [Remark(verdict, _remark(words, note, times)) for (verdict, words, note), times in found.items()]
+    return said + _whose_rule(section)
+
+
+def _whose_rule(section: Section) -> list[Remark]:
+    """What to think of failures where code that is not the lab's own steers the bodies of every implementation."""
+    names = functions_of(scenario for case in section.family.cases for scenario in case.scenarios)
+    failed = [line for line in section.lines if any(row.verdict is Verdict.FAIL for row in line.result.rows)]
+    sources = {line.result.job.implementation for line in failed}
+    if not names or all(Implementation(source).takes_ours(names) for source in sources):
+        return []
+    return [Remark(Verdict.FAIL, _STEERED)]
 
 
 def _words_of(row: Row) -> tuple[str, str]:
     """What is said of the implementations that have this row's note, and the note behind it."""
     if row.verdict is Verdict.NEEDS:
-        return "{who} {note}", row.note
+        return "{who} need {note}", row.note.removeprefix("needs ")
     own = row.verdict in (Verdict.FAIL, Verdict.DISAGREES, Verdict.KNOWN_DEVIATION)  # in the lab's own words
     note = row.note.replace(": ", "; ") if own else why(row.verdict, row.note).removeprefix(f"{row.verdict}: ")
     if (own or row.verdict in (Verdict.NOT_AVAILABLE, Verdict.SHOWN)) and row.measured is None:

@@ -233,22 +233,25 @@ BALL_IN_A_BOWL = Family(
     " The bowl is a concave polyhedron 1.6 m wide: a floor and four slanting walls of unequal width, with a level"
     " rim, turned about the vertical. In the case `wall` the ball strikes a wall on its way; in the case `hull` the"
     " solid is the bowl's convex hull, a block.",
-    expected="The ball comes to rest on the floor, its centre a radius above it. It reaches the floor after"
-    " `√(2h/g)` and rises to `e² h`. A wall turns the velocity along its normal into `−e` times itself, so that the"
-    " ball goes on with the level speed `(1 + e) v n_x n_z`. On a block the ball rests a radius above the rim.",
+    expected="The ball comes to rest on the floor, with its centre one radius above it. It reaches the floor after"
+    " `√(2h/g)` and rebounds to `e² h`. A wall turns the velocity along its normal into `−e` times itself, so that the"
+    " ball leaves the wall with the level speed `(1 + e) v n_x n_z`. On the block the ball rests one radius above the"
+    " rim.",
     why=(
-        "A convex hull has with any two points all points between them. That of the bowl has a lid from rim to rim,"
-        " which nobody sees, and the ball comes to rest on it, as high above the floor as the bowl is deep.",
-        "PyBullet, told the vertices of a mesh and nothing else, makes its hull, and adds a margin of 1 mm. Told its"
-        " faces as well (`indices`) it keeps the triangles of a body that does not move, and the ball falls to the"
-        " floor. This is its tuned setting.",
-        "MuJoCo computes contacts with the hull of every mesh, also where the mesh has faces. Tuned, the bowl is told"
-        " in its five convex pieces, a geom each.",
-        "DART keeps the triangles. But its default detector, the Flexible Collision Library, gives the depth of a"
-        " ball in a mesh as a negative number, and DART leaves out a contact without depth. So the ball falls"
-        " through every mesh, the block as well as the bowl. Tuned, DART's own detector finds the contacts.",
-        "By hand the world has convex pieces too. The pieces meet where two walls do, and the floor is one piece: no"
-        " edge within a flat face can stop the ball.",
+        "A convex hull contains every segment between two of its points. The hull of the bowl therefore has a lid from"
+        " rim to rim. Nobody sees the lid, but the ball comes to rest on it, as high above the floor as the bowl is"
+        " deep.",
+        "If PyBullet is given only the vertices of a mesh, it makes their hull and adds a margin of 1 mm. If it is"
+        " given the faces as well (`indices`), it keeps the triangles of a body that does not move, and the ball falls"
+        " to the floor. The tuned settings do that.",
+        "MuJoCo computes contacts with the hull of every mesh, even if the mesh has faces. The tuned settings give it"
+        " the bowl as five convex pieces, one geom each.",
+        "DART keeps the triangles. But its default detector, the Flexible Collision Library, reports the depth of a"
+        " ball in a mesh as a negative number, and DART ignores a contact without depth. So the ball falls through"
+        " every mesh, through the block as well as through the bowl. In the tuned settings DART's own detector finds"
+        " the contacts.",
+        "The hand-written world uses convex pieces too. The pieces meet along the edges between walls, and the floor is"
+        " one piece, so that no edge within a flat face can stop the ball.",
     ),
     cases=(
         _case(f"depth={DEEP:g}", bowls.bowl(DEEP), RADIUS, *BESIDE),

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from pages import REST, result, without_answer
 
-from reference.comparison.results import JobResult
+from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Verdict
+from reference.recording.reading import recall
 from reference.report.results_in_words import Remark, accepted, counted, plain, remarks, tolerances
 from reference.report.sections import Section, sections
 
@@ -43,6 +45,16 @@ def test_methods_of_hand_written_code_are_named_where_their_results_differ():
         "Hand-written code by the method exact agrees with theory in every check;"
         " hand-written code by the method world (time of rest +25 %) differs as the method must."
     )
+
+
+@pytest.mark.parametrize(
+    ("code", "said"), [("solutions", []), ("mine.py | solutions", ["The code that is tried here steers"])]
+)
+def test_a_failure_under_somebody_elses_rule_is_said_to_be_the_rules(code, said):
+    recorded = recall(Job("lone-flier", "mujoco", "tuned"))
+    failed = changed(recorded, verdict=Verdict.FAIL)
+    found = remarks(section(replace(failed, job=replace(failed.job, implementation=code))))
+    assert [each.said[:34] for each in found if each.verdict is Verdict.FAIL and "steers" in each.said] == said
 
 
 def test_engines_that_lack_the_same_cases_are_told_together():
