@@ -138,23 +138,32 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
         result = _recorded(job, work, error, start)
         key = key_of_recorded(job) if cache and result.recording else None
     except (NeedsFunction, CannotExpress, RunFailed) as error:
-        lost = isinstance(error, WorkerCrashed | WorkerTimeout) and not isinstance(error, WorkerStopped)
-        result = (lost and _part_by_part(job, work, timeout)) or work.refused(job, error, time.perf_counter() - start)
+        refused = work.refused(job, error, time.perf_counter() - start)
+        lost = _is_lost(error) and not isinstance(error, WorkerStopped)
+        result = (lost and _part_by_part(job, work, timeout, refused)) or refused
     _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
     if cache:
         cache.put(job, key, result)
     return result
 
 
-def _part_by_part(job: J, work: Work[J, R], timeout: float) -> R | None:
+def _is_lost(error: CollisionsError) -> bool:
+    """Whether an error says that a job's process died, or was stopped at its limit."""
+    return isinstance(error, WorkerCrashed | WorkerTimeout)
+
+
+def _part_by_part(job: J, work: Work[J, R], timeout: float, refused: R) -> R | None:
     """The result of a job whose process was lost, from runs of each part by itself; None if it has no parts.
 
     Only the part that crashes or hangs is lost then. All parts together have as much time as the job had.
+
+    refused: what says that the job was lost. It belongs to the result if no part is lost, as where a study was: nothing
+    else would tell.
     """
     parts = work.parts(job)
     if len(parts) < 2 or work.joined is None:
         return None
-    found: list[R] = []
+    found, any_lost = list[R](), False
     for part in parts:
         start = time.perf_counter()
         try:
@@ -163,7 +172,8 @@ def _part_by_part(job: J, work: Work[J, R], timeout: float) -> R | None:
             return None
         except (NeedsFunction, CannotExpress, RunFailed) as error:
             found.append(work.refused(part, error, time.perf_counter() - start))
-    return work.joined(job, found)
+            any_lost = any_lost or _is_lost(error)
+    return work.joined(job, found if any_lost else [*found, refused])
 
 
 def _recorded(job: J, work: Work[J, R], missing: EngineNotInstalled, start: float) -> R:

@@ -237,12 +237,17 @@ def _case_by_case(job: Job) -> list[Job]:
 
 
 def _joined(job: Job, found: list[JobResult]) -> JobResult:
-    """One result of the results of single cases. Of a case without numbers the row names the case."""
+    """One result of the results of single cases. Of a case without numbers the row names the case.
+
+    A result of the whole job may be among them: the row that says how its process was lost.
+    """
     family = catalogue()[job.family]
     ran = [each for each in found if each.version] or found
     plotted = next((each for each in ran if each.job.cases == (family.curve.case,)), ran[0])
     rows = [
-        replace(row, case=each.job.cases[0]) if row.case == ALL_CASES else row for each in found for row in each.rows
+        replace(row, case=each.job.cases[0]) if row.case == ALL_CASES and each.job != job else row
+        for each in found
+        for row in each.rows
     ]
     return replace(
         plotted,

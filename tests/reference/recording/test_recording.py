@@ -266,6 +266,8 @@ def test_a_recording_answers_for_the_labs_own_steering_and_for_no_other():
         ("def signed_distance(point, plane):\n    return 0.0\n", "mine.py | labs.given", True),
         ("def signed_distance(point, plane):\n    return 0.0\n", "mine.py | solutions", True),
         ("", "labs.given", True),
+        ("def seek(position, target, max_speed):\n    return position\n", "labs.given | mine.py", False),
+        ("def seek(position, target, max_speed):\n    return position\n", "solutions | mine.py", True),
         ("def seek(position, target, max_speed):\n    return position\n", "mine.py | labs.given", False),
         ("steering_force = max\n", "mine.py | solutions", False),
         ("from elsewhere import *\n", "mine.py | solutions", False),

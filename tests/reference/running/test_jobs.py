@@ -18,6 +18,7 @@ from pathlib import Path
 import pytest
 from odd_engines import ENOUGH, GOOD, engine_file, results_of
 
+from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.comparison.verdicts import ALL_CASES, Verdict
 from reference.errors import InvalidInput
@@ -86,6 +87,18 @@ def test_a_case_that_hangs_or_dies_costs_no_other_case_its_numbers(ending, note,
     assert {row.case for row in result.rows if row.measured is not None} == {"e=0.5", "e=0.2"}
     assert (result.job, result.convergence) == (job, None)
     assert result.series is not None
+
+
+def test_a_process_that_dies_in_a_study_leaves_the_cases_their_numbers_and_a_row_that_tells(tmp_path):
+    body = "if settings.timestep != 0.01: os._exit(7)\nfor _ in range(steps + 1): recorder.sample(state)"
+    job = Job("dropped-ball", engine_file(tmp_path, "studied", body), "tuned", with_studies=True)
+    result = run_one(job, SCENARIOS, ENOUGH)
+    cases = [case.name for case in job.chosen(catalogue()[job.family])]
+    assert [*dict.fromkeys(row.case for row in result.rows)] == [*cases, ALL_CASES]
+    assert {row.case for row in result.rows if row.measured is not None} == set(cases)
+    (lost,) = (row for row in result.rows if row.case == ALL_CASES)
+    assert (lost.verdict, "exit code 7" in lost.note) == (Verdict.CRASHED, True)
+    assert (result.job, result.convergence, result.version != "") == (job, None, True)
 
 
 def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
