@@ -137,8 +137,12 @@ class Section:
 
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:
-        """Every two numbers of the same case and quantity, in the order of the lines."""
-        return tuple(pairs(row for line in self.lines for row in line.result.rows))
+        """Every two numbers of the same case and quantity, in the order of the lines.
+
+        An engine is named as its job names it: one of somebody's own by its file, and not by what its class says.
+        """
+        named = ((line.result.job.engine, row) for line in self.lines for row in line.result.rows)
+        return tuple(pairs(row if row.engine == name else replace(row, engine=name) for name, row in named))
 
     @property
     def studied(self) -> list[Line]:

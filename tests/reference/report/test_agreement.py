@@ -48,6 +48,17 @@ def test_a_reason_that_names_its_implementation_has_no_label():
     assert dict(Matrix.of(section).whys)[why_apart("cradle", "dart", "stock")] == ()
 
 
+def test_engines_of_ones_own_are_compared_by_their_files_and_not_by_the_names_of_their_classes():
+    row = Row("cradle", CASE, "odd", "tuned", "first", "", Verdict.FAIL, 0.5, note="it is odd")
+    own = [JobResult(Job("cradle", file, "tuned"), file, "", (row,)) for file in ("one.py", "other.py")]
+    section = sections([*(line.result for line in SECTION.lines), *own])[0]
+    matrix = Matrix.of(section)
+    assert matrix.titles[-2:] == ("one.py, tuned", "other.py, tuned")
+    assert [entry.text for entry in matrix.rows[-1]] == ["≠ 1"] * 4 + ["✓"]
+    assert dict(matrix.whys)["it is odd"] == ("one.py, tuned", "other.py, tuned")
+    assert "one.py (tuned)" in by_scenario([section])["cradle"].farthest
+
+
 def test_counted_implementations_alone_are_summed_up():
     assert sentence(SECTION.pairs) == (
         "Compared with each other, 1 of 3 pairs of numbers are alike, 0 differ as their methods say, and 2 are apart."
