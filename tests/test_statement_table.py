@@ -68,6 +68,16 @@ def test_every_figure_is_drawn_and_every_drawing_is_a_figure(table):
     assert all(caption.endswith(".") for _, _, caption in table.figures())
 
 
+def test_every_finding_is_listed_and_they_are_as_many_as_other_pages_say():
+    page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8").partition("\n## What to set")[0]
+    findings = re.findall(r"\n\n## ([^\n]+)\n\n", page)
+    anchors = [re.sub(r"[^\w -]", "", finding.lower()).replace(" ", "-") for finding in findings]
+    assert re.findall(r"^\| \[[^]]+\]\(#([\w-]+)\) \|", page, re.MULTILINE) == anchors
+    assert len(findings) == 21
+    for name, times in (("README.md", 1), ("docs/index.md", 2)):
+        assert (ROOT / name).read_text(encoding="utf-8").count("twenty-one findings") == times, name
+
+
 def test_every_finding_with_a_figure_is_drawn_and_shown(table):
     drawn = {path.stem for path in (ROOT / "docs" / "images" / "engines").glob("*.svg")}
     shown = re.findall(r"images/engines/([\w-]+)\.svg", (ROOT / "docs" / "engines.md").read_text(encoding="utf-8"))
