@@ -239,16 +239,21 @@ def _case_by_case(job: Job) -> list[Job]:
 def _joined(job: Job, found: list[JobResult]) -> JobResult:
     """One result of the results of single cases. Of a case without numbers the row names the case.
 
-    A result of the whole job may be among them: the row that says how its process was lost.
+    A result of the whole job may be among them, which says how its process was lost. Where the job has studies, it was
+    lost in one of them, and the row names the case that they are of.
     """
     family = catalogue()[job.family]
     ran = [each for each in found if each.version] or found
     plotted = next((each for each in ran if each.job.cases == (family.curve.case,)), ran[0])
-    rows = [
-        replace(row, case=each.job.cases[0]) if row.case == ALL_CASES and each.job != job else row
-        for each in found
-        for row in each.rows
-    ]
+    studied = family.convergence.case
+    rows = list[Row]()
+    for each in found:
+        for row in each.rows:
+            if row.case == ALL_CASES and each.job != job:
+                row = replace(row, case=each.job.cases[0])
+            elif row.case == ALL_CASES and job.with_studies:
+                row = replace(row, case=studied, note=f"{row.note} in a study of {studied}, not in a run of its own")
+            rows.append(row)
     return replace(
         plotted,
         job=job,
