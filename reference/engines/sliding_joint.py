@@ -36,7 +36,9 @@ class SlidingJoint:
 
     def as_free(self, length: float, rate: float) -> tuple[list[float], list[float]]:
         """Pose (place, turn) and velocities (of the centre, spin) of the ball at a length, m, and its rate, m/s."""
-        place, velocity = self.ends.fixed + length * self.ends.direction, rate * self.ends.direction
+        # From the start on, so that rounding leaves the start itself as it is
+        place = self.body.position + (length - self.ends.length) * self.ends.direction
+        velocity = self.body.velocity + (rate - self.ends.rate) * self.ends.direction
         return [*place.tolist(), *self.body.orientation], [*velocity.tolist(), 0.0, 0.0, 0.0]
 
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from reference.engines.profiles import EXACT, SPRING, STEP, STOCK, TUNED, WORLD, counts
+from reference.engines.profiles import EXACT, JOINT, SPRING, STEP, STOCK, TUNED, WORLD, counts
 from reference.report import numbers
 from reference.report.compact_svg import compact
 from reference.report.sections import Line, Section
@@ -35,6 +35,7 @@ _DASHES: dict[str, Any] = {
     TUNED: "-",
     WORLD: (0, (9, 1.5)),
     SPRING: (0, (6, 1.5, 1.2, 1.5)),
+    JOINT: (0, (3, 1.2, 3, 3)),
     STEP: (0, (1, 1.6)),
     STOCK: (0, (1, 1.6)),
     "poisson": (0, (7, 2, 1.5, 2)),

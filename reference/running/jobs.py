@@ -53,7 +53,7 @@ class Work(Generic[J, R]):
     recorded: Callable[[J], R | None]
     refused: Callable[[J, CollisionsError, float], R]
     in_order: Callable[[Iterable[J]], list[J]]
-    parts: Callable[[J], list[J]] = lambda job: []
+    parts: Callable[[J], list[J]] | None = None
     joined: Callable[[J, list[R]], R] | None = None
 
 
@@ -160,7 +160,7 @@ def _part_by_part(job: J, work: Work[J, R], timeout: float, refused: R) -> R | N
     refused: what says that the job was lost. It belongs to the result if no part is lost, as where a study was: nothing
     else would tell.
     """
-    parts = work.parts(job)
+    parts = work.parts(job) if work.parts else []
     if len(parts) < 2 or work.joined is None:
         return None
     found, any_lost = list[R](), False
