@@ -58,11 +58,12 @@ def _disagrees(family: str, case: Case, quantity: str, method: Method, dt: float
 
 
 def _counted() -> Iterator[tuple[Family, Case, str, str]]:
-    """Every family, case, implementation and profile that counts and that runs the case."""
+    """Every family, case, implementation and profile that counts and in which a report has the case."""
     for family in catalogue().values():
-        for case in family.cases:
-            for name in engine_names():
-                for profile in filter(counts, load_engine(name).profiles(case.scenarios[0])):
+        for name in engine_names():
+            engine = load_engine(name)
+            for profile in filter(counts, family.profiles(engine)):
+                for case in family.cases_in(engine, profile):
                     yield family, case, name, profile
 
 
