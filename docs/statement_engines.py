@@ -38,7 +38,8 @@ def collect() -> Found:
 def _verdicts(family: str, name: str) -> Counter[str]:
     engine = load_engine(name)
     profile = next(filter(counts, catalogue()[family].profiles(engine)))
-    job = Job(family, name, profile)
+    cases = catalogue()[family].cases_in(engine, profile)  # those of a report
+    job = Job(family, name, profile, tuple(case.name for case in cases))
     result: JobResult | None = recall(job) if engine.package else run_job(job)
     if result is None:
         raise CollisionsError(f"{family} is not recorded in {engine.title}; collisions record {family} does it")
