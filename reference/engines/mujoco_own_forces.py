@@ -25,6 +25,8 @@ TITLE = "MuJoCo"
 TENDONS = "tendons"
 SLIDE = "slide"
 """Name of a sliding joint."""
+SLIDING = 2
+"""MuJoCo's number for the type of a sliding joint, `mjJNT_SLIDE`."""
 ELLIPSOID, INERTIA_BOX = FLUIDS = "ellipsoid", "inertia box"
 """Profiles, and values of the options `springs` and `fluid`."""
 DRAG_OF_THE_BOX = math.sqrt(3 / 5)
@@ -82,7 +84,9 @@ def check_tendons(model: Any, scenario: Scenario) -> None:
 def add_joint(spec: Any, joint: SlidingJoint) -> None:
     """Let the ball slide along its spring; the coordinate of the joint is the spring's length."""
     body, spring = spec.body(joint.body.name), joint.spring
-    slide = body.add_joint(name=SLIDE, type=2, axis=joint.axis, ref=joint.ends.length, springref=spring.rest_length)
+    slide = body.add_joint(
+        name=SLIDE, type=SLIDING, axis=joint.axis, ref=joint.ends.length, springref=spring.rest_length
+    )
     slide.stiffness, slide.damping = [spring.stiffness, 0, 0], [spring.damping, 0, 0]  # linear: no higher powers
 
 

@@ -45,8 +45,8 @@ class Work(Generic[J, R]):
 
     run: do the job here and now, within a worker. recorded: the result that was measured elsewhere, None where there is
     no recording. refused: the result that says why there is no number, from the job, the error and how long it took, s.
-    in_order: the order in which to start jobs. parts: the jobs of which one consists, if it has several cases that can
-    run alone. joined: the result of a job from those of its parts.
+    in_order: the order in which to start jobs. parts: a job for each case of a job, if it has several that can run
+    alone. joined: the result of a job from those of its parts.
     """
 
     run: Callable[[J], R]

@@ -102,7 +102,7 @@ def _speed(trajectory: Trajectory) -> float:
 
 
 def _why(method: Method) -> str:
-    """Why a flier is not where it should be. Whoever hands in a rule should look there first."""
+    """Why a flier is not where it should be. Anyone who hands in a rule should look there first."""
     if method.steered_by is None or method.steered_by.source == Implementation.source:
         return LATE
     return f"the rule that steers it is not the lab's own; or {LATE}"

@@ -64,8 +64,8 @@ EXCEPTIONS = {
 AGAIN = dict(zip(catalogue(), itertools.cycle(engine_names()), strict=False))
 """Of each family the implementation in which its faults are injected again, one implementation after another.
 
-To measure all of them again takes as long as the rest of `make verify`; `collisions sensitivity --keep` does it. Every
-fault of all of them is a run that another test compares too, with its recurrence and with its recording.
+To inject all of them again took more than twenty of a hundred minutes of processor time of `make verify`, on a machine
+three times slower than the one of the allowances. `collisions sensitivity --keep` does it.
 """
 
 
