@@ -127,8 +127,8 @@ CLOTH_OVER_A_BALL = Family(
     statements=(28, 29),
     about="A cloth of 4 × 5 unequal masses, small balls 2.5 cm apart, lies flat over a smooth, fixed ball with a radius"
     " of 3 cm. Two of the masses are fixed beside the top of the ball. The others fall, and the cloth drapes over the"
-    " ball in a fluid as viscous as honey. One case has structural springs alone, the other has shear springs as well. The"
-    " early drop is that after 0.05 s.",
+    " ball in a fluid as viscous as honey. One case has structural springs alone, the other has shear springs as well."
+    " The early drop is that after 0.05 s.",
     expected="At rest, springs and weight balance at every mass that hangs free, and press every other mass against the"
     " ball. Newton's method finds the shape of least energy among all shapes that do not enter the ball, without any"
     " steps through time. It is not told which masses rest on the ball, nor how hard they press. With shear springs 9"
