@@ -1,6 +1,7 @@
 """Surveys in PyBullet: a solid of triangles where it is given its faces, a convex hull where only its vertices.
 
-Bullet adds a margin to a hull, 1 mm unless it is told otherwise, and none to triangles. Without any margin many rays
+Bullet adds a margin to a hull, 1 mm unless it is told otherwise, and none to triangles. A box keeps its size, and the
+margin rounds off its edges and corners. Without any margin many rays
 miss a hull, so tuned rays meet the triangles. Triangles have no inside: the gap of a ball is its distance from the
 nearest triangle, wherever the ball is.
 """
@@ -26,8 +27,9 @@ from reference.engines.surveying import (
     RAYS_OF,
     TRIANGLES,
 )
+from reference.errors import CannotExpress
 from reference.scene.polyhedron import Polyhedron
-from reference.scene.scenario import Body, Sphere
+from reference.scene.scenario import Body, Box, Sphere
 from reference.scene.settings import Option, Settings
 
 SETTINGS: Mapping[str, Mapping[str, Option]] = {
@@ -56,7 +58,7 @@ class Surveyor:
         self._rays_of = str(settings[RAYS_OF])
         self._distances_of = str(settings[DISTANCES_OF])
         self._margin = settings.number(MESH_MARGIN) if MESH_MARGIN in settings.options else None
-        self._made: dict[tuple[object, str], list[int]] = {}
+        self._made: dict[tuple[object, str, int], list[int]] = {}
 
     def crossings(self, body: Body, start: tuple[float, ...], end: tuple[float, ...]) -> list[float]:
         """Of triangles all hits; of a hull the first from either end, which are all that it can have."""
@@ -68,9 +70,11 @@ class Surveyor:
 
     def gap(self, body_a: Body, body_b: Body) -> float:
         """The smallest distance of any two parts."""
-        parts = [self._numbers(body, self._distances_of) for body in (body_a, body_b)]
+        parts = [self._numbers(body, self._distances_of, place) for place, body in enumerate((body_a, body_b))]
         pairs = itertools.product(*parts)
         found = [point for pair in pairs for point in self._bullet.getClosestPoints(*pair, FARTHEST, **self._here)]
+        if not found:
+            raise CannotExpress(f"Bullet finds no distance of {body_a.name} and {body_b.name}: both are triangles")
         return float(min(point[DISTANCE] for point in found))
 
     def _hits(self, number: int, start: tuple[float, ...], end: tuple[float, ...]) -> list[float]:
@@ -85,9 +89,12 @@ class Surveyor:
                 found.append(float(share))
         return sorted(found)
 
-    def _numbers(self, body: Body, form: str) -> list[int]:
-        """The bodies that stand for a body in this form, where it is now."""
-        key = (body.shape, form)
+    def _numbers(self, body: Body, form: str, place: int = 0) -> list[int]:
+        """The bodies that stand for a body in this form, where it is now; place: of the two that a question is about.
+
+        Two bodies of one question may have the same shape.
+        """
+        key = (body.shape, form, place)
         if key not in self._made:
             self._made[key] = [self._make(shape, body) for shape in self._shapes(body, form)]
         orientation = (*body.orientation[1:], body.orientation[0])  # x y z w
@@ -97,7 +104,7 @@ class Surveyor:
 
     def _make(self, shape: int, body: Body) -> int:
         number = int(self._bullet.createMultiBody(0.0, shape, **self._here))
-        if self._margin is not None and isinstance(body.shape, Polyhedron):
+        if self._margin is not None and isinstance(body.shape, Polyhedron | Box):
             self._bullet.changeDynamics(number, -1, collisionMargin=self._margin, **self._here)
         return number
 
@@ -105,6 +112,8 @@ class Surveyor:
         shape, create = body.shape, self._bullet.createCollisionShape
         if isinstance(shape, Sphere):
             return [int(create(self._bullet.GEOM_SPHERE, radius=shape.radius, **self._here))]
+        if isinstance(shape, Box):
+            return [int(create(self._bullet.GEOM_BOX, halfExtents=shape.half_extents, **self._here))]
         assert isinstance(shape, Polyhedron)
         mesh = self._bullet.GEOM_MESH
         if form == TRIANGLES:

@@ -19,7 +19,7 @@ from reference.engines.base import Engine
 from reference.errors import CannotExpress
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Query, Ray, Segment, bodies_of
-from reference.scene.scenario import Body, Sphere
+from reference.scene.scenario import Body, Box, Shape, Sphere
 from reference.scene.settings import Option, Settings
 from reference.scene.survey import Survey, at_time, survey
 from reference.scene.trajectory import Trajectory
@@ -117,9 +117,17 @@ def trajectory_of(
 def check(engine: Engine, scenario: Survey) -> None:
     """Refuse questions that nobody here has words for."""
     for query in (*dict(scenario.questions).values(), *scenario.watched):
-        shapes = sorted(type(body.shape).__name__ for body in bodies_of(query))
-        if shapes not in (["Polyhedron"], ["Polyhedron", "Sphere"]):
-            raise engine.cannot(scenario, f"a survey asks about polyhedra and balls, not about {' and '.join(shapes)}")
+        first, *others = sorted((body.shape for body in bodies_of(query)), key=lambda shape: not _is_solid(shape))
+        if not _is_solid(first) or not all(isinstance(shape, Polyhedron | Box | Sphere) for shape in others):
+            names = " and ".join(sorted(type(body.shape).__name__ for body in bodies_of(query)))
+            raise engine.cannot(
+                scenario,
+                f"a survey asks about a polyhedron, or how far it is from another, a box or a ball, not {names}",
+            )
+
+
+def _is_solid(shape: Shape) -> bool:
+    return isinstance(shape, Polyhedron)
 
 
 def answer(surveyor: Surveyor, query: Query, settings: Settings) -> float:

@@ -9,6 +9,7 @@ A ray of Bullet's at a hull advances by what is surely free, and ends within 1 m
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -34,7 +35,7 @@ from reference.prediction import solids
 from reference.prediction.predicted import TITLE, Prediction
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Query, Ray, Segment
-from reference.scene.scenario import Body, Scenario, Sphere
+from reference.scene.scenario import Body, Box, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.surfaces import winding_number
 from reference.scene.survey import Survey, at_time
@@ -81,19 +82,36 @@ class View:
                 return self._inside(query.body, np.array(query.point))
 
     def gap(self, body_a: Body, body_b: Body) -> float:
+        """From a ball, or between two solids, as far as they are solid; less the margins."""
+        for solid, ball in ((body_a, body_b), (body_b, body_a)):
+            if isinstance(ball.shape, Sphere):
+                return self._from_ball(solid, ball, ball.shape.radius)
+        one, other = self._in_the_world(body_a), self._in_the_world(body_b)
+        if self.distances_of not in (HULL, PIECES):
+            return solids.apart(*one, *other)
+        return min(solids.separation(*pair) for pair in itertools.product(one, other)) - 2 * self.margin
+
+    def _in_the_world(self, body: Body) -> list[Array]:
+        """The surface of a solid, or of each of its parts, where it is."""
+        surfaces = [_surface(body)]
+        if self.distances_of in (HULL, PIECES):
+            surfaces = [solids.hull(part) for part in self._parts(body, self.distances_of)]
+        return [solids.placed(body, surface) for surface in surfaces]
+
+    def _from_ball(self, solid: Body, ball: Body, radius: float) -> float:
         """From the ball's centre to the solid, as far as it is one, less the radius and the margin."""
-        solid, ball = (body_a, body_b) if isinstance(body_a.shape, Polyhedron) else (body_b, body_a)
-        assert isinstance(ball.shape, Sphere)
         centre = solids.in_own_axes(solid, np.array(ball.position))
         corners = _surface(solid)
         if self.distances_of in (HULL, PIECES):
             parts = [solids.hull(part) for part in self._parts(solid, self.distances_of)]
-            return min(solids.depth_or_gap(centre, part) for part in parts) - self.margin - ball.shape.radius
+            return min(solids.depth_or_gap(centre, part) for part in parts) - self.margin - radius
         nearest = float(np.min(solids.distances(centre, corners)))
         inside = self.distances_of != TRIANGLES and winding_number(centre, corners) > 0.5
-        return (-nearest if inside else nearest) - ball.shape.radius
+        return (-nearest if inside else nearest) - radius
 
     def _parts(self, solid: Body, form: str) -> list[Array]:
+        if isinstance(solid.shape, Box):  # Bullet's margin rounds a box off, and leaves its size as it is
+            return [_corners(solid.shape, self.margin)]
         shape = _shape(solid)
         groups = shape.convex_pieces if form == PIECES else (tuple(range(len(shape.vertices))),)
         parts = [shape.points[list(group)] for group in groups]
@@ -173,6 +191,14 @@ def _shape(body: Body) -> Polyhedron:
     return body.shape
 
 
+def _corners(box: Box, margin: float = 0.0) -> Array:
+    """Of a box that is smaller by a margin on each side, (8, 3), m, in its own axes."""
+    signs = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
+    return np.asarray(signs * (np.array(box.half_extents) - margin))
+
+
 def _surface(body: Body) -> Array:
     """The triangles of a solid in its own axes, (f, 3, 3), m."""
+    if isinstance(body.shape, Box):
+        return solids.hull(_corners(body.shape))
     return np.asarray(_shape(body).points[np.array(_shape(body).faces)])

@@ -139,3 +139,57 @@ def nearest_point(point: Array, corners: Array) -> Array:
         edge = end - begin
         found.append(begin + np.clip((point - begin) @ edge / (edge @ edge), 0.0, 1.0) * edge)
     return min(found, key=lambda place: float(np.linalg.norm(point - place)))
+
+
+def placed(body: Body, corners: Array) -> Array:
+    """Triangles of the body's own axes in the world."""
+    return np.asarray(np.array(body.position) + corners @ matrix(body).T)
+
+
+def separation(first: Array, second: Array) -> float:
+    """Between two convex solids, m; where they overlap minus the shortest way out.
+
+    A plane that is parallel to a face of one of them, or to an edge of each, parts them if any plane does.
+    """
+    heights = [_between_shadows(normal, first, second) for normal in _normals_of_planes(first, second)]
+    return max(heights) if max(heights) < 0 else apart(first, second)
+
+
+def _between_shadows(normal: Array, first: Array, second: Array) -> float:
+    one, other = first @ normal, second @ normal
+    return float(max(other.min() - one.max(), one.min() - other.max()))
+
+
+def _normals_of_planes(first: Array, second: Array) -> Array:
+    """Unit normals of the faces, and across each two edges, (n, 3)."""
+    edges = [(np.roll(corners, -1, axis=1) - corners).reshape(-1, 3) for corners in (first, second)]
+    across = np.cross(edges[0][:, None], edges[1]).reshape(-1, 3)
+    normals = np.concatenate([_normals(first), _normals(second), across])
+    length = np.linalg.norm(normals, axis=-1)
+    return np.asarray(normals[length > FLAT * length.max()] / length[length > FLAT * length.max(), None])
+
+
+def apart(first: Array, second: Array) -> float:
+    """Between two surfaces that do not cross, m: from a corner to a triangle, or between two edges."""
+    to_faces = [
+        float(np.min(distances(corner, surface)))
+        for surface, other in ((first, second), (second, first))
+        for corner in np.unique(other.reshape(-1, 3), axis=0)
+    ]
+    return min(*to_faces, _between_edges(first, second))
+
+
+def _between_edges(first: Array, second: Array) -> float:
+    """Where the shortest way between the lines of two edges ends on both; elsewhere a corner is nearest."""
+    a, b = first.reshape(-1, 1, 3), second.reshape(1, -1, 3)
+    along = (np.roll(first, -1, axis=1) - first).reshape(-1, 1, 3)
+    beside = (np.roll(second, -1, axis=1) - second).reshape(1, -1, 3)
+    across, way = np.cross(along, beside), b - a
+    squared = np.sum(across * across, -1)
+    skew: Mask = squared > FLAT**2 * np.sum(along * along, -1) * np.sum(beside * beside, -1)
+    safe = np.where(skew, squared, 1.0)
+    share_a = np.sum(np.cross(way, beside) * across, -1) / safe
+    share_b = np.sum(np.cross(way, along) * across, -1) / safe
+    on_both = skew & (share_a >= 0) & (share_a <= 1) & (share_b >= 0) & (share_b <= 1)
+    length = np.abs(np.sum(way * across, -1)) / np.sqrt(safe)
+    return float(np.min(length, where=on_both, initial=np.inf))

@@ -13,6 +13,7 @@ from reference.catalogue.scenarios.concave_solid import HIGH, INNER_LEFT, LOW, R
 from reference.catalogue.scenarios.convex_solid import SOLID
 from reference.prediction import solids
 from reference.prediction.answering import BULLETS_STEPS, on_a_grid
+from reference.scene.scenario import Body
 from reference.scene.surfaces import winding_number
 from reference.solid_truth import after_a_wall, chord, lid
 
@@ -128,6 +129,38 @@ def test_the_nearest_point_is_as_far_as_the_distance_says():
         nearest = solids.nearest_point(point, hull)
         assert np.linalg.norm(point - nearest) == pytest.approx(np.min(solids.distances(point, hull)), rel=1e-12)
         assert np.min(solids.distances(nearest, hull)) < 1e-12
+
+
+def poses(count: int) -> list[Body]:
+    quaternions = RNG.normal(size=(count, 4))
+    quaternions /= np.linalg.norm(quaternions, axis=-1, keepdims=True)
+    ways = RNG.uniform(-0.9, 0.9, (count, 3))
+    return [
+        Body(f"solid {number}", SOLID, position=tuple(way), orientation=tuple(quaternion))
+        for number, (way, quaternion) in enumerate(zip(ways, quaternions, strict=True))
+    ]
+
+
+def test_two_convex_solids_are_as_far_apart_as_their_differences_are_from_the_origin():
+    hull, found = solids.hull(SOLID.points), []
+    for one, other in itertools.pairwise(poses(25)):
+        first, second = (solids.placed(body, hull) for body in (one, other))
+        a, b = (solids.placed(body, SOLID.points) for body in (one, other))
+        differences = (a[:, None] - b).reshape(-1, 3)
+        expected = solids.depth_or_gap(np.zeros(3), solids.hull(differences))
+        found.append(solids.separation(first, second))
+        assert found[-1] == pytest.approx(expected, abs=1e-12)
+    assert min(found) < -0.1  # some overlap, and some are apart
+    assert max(found) > 0.1
+
+
+def test_two_channels_are_as_far_apart_as_the_nearest_two_of_their_pieces():
+    first, pieces = triangles(CHANNEL), [solids.hull(CHANNEL.points[list(piece)]) for piece in CHANNEL.pieces]
+    for body in poses(40):
+        placed = [solids.placed(body, piece) for piece in pieces]
+        nearest = min(solids.separation(*pair) for pair in itertools.product(pieces, placed))
+        if nearest > 0:
+            assert solids.apart(first, solids.placed(body, first)) == pytest.approx(nearest, abs=1e-12)
 
 
 def test_bullets_grid_moves_a_vertex_inwards_by_less_than_a_step():

@@ -1,4 +1,4 @@
-"""Points, rays, segments and balls at a concave polyhedron, and what a convex hull makes of it (slide 9)."""
+"""Points, rays, segments, balls and solids at a concave polyhedron, and what a convex hull makes of it (slide 9)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from reference.catalogue.scenarios.solids import TURNED, UPRIGHT, Placed, faces
 from reference.checks import Quaternion, Vector
 from reference.engines.surveying import TIMESTEP
 from reference.prediction import answering
+from reference.scene import geometry
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Query
+from reference.scene.scenario import Body
 from reference.scene.survey import survey
 from reference.solid_truth import lid
 
@@ -33,6 +35,10 @@ GAP, RADIUS = 0.03, 0.03
 """Of a ball in the pocket from a wall, and its radius, m."""
 DEPTH, SMALL = 0.05, 0.02
 """Of a small ball's centre above the underside, and its radius, m."""
+SMALL_BOX = 0.1
+"""Size of a box in the pocket, m; it fits where the pocket is shallow."""
+CLEARANCE = 0.06
+"""Between the end of a hooked-in wall and the floor, m."""
 HEIGHTS = (0.25, 0.5, 0.75)
 """Of points and segments in the pocket, as shares of its depth."""
 SLANT, ACROSS = np.array([0.1, -0.15, 1.0]), np.array([1.0, -0.1, 0.0])
@@ -90,8 +96,21 @@ def _questions(solid: Placed, depth: float) -> Iterator[tuple[str, Query]]:
     for number, x in enumerate((INNER_LEFT + GAP + RADIUS, INNER_RIGHT - GAP - RADIUS)):
         beside = solids.ball(solid, f"ball at wall {number}", np.array([x, middle, LOW - depth / 4]), RADIUS)
         yield f"gap {number}", Distance(solid.body, beside)
+    for number, (x, out) in enumerate(((INNER_LEFT, 1.0), (INNER_RIGHT, -1.0))):
+        wall, box = np.array([x, middle, LOW - depth / 4]), solids.corner_of_a_box(SMALL_BOX)
+        beside = solids.before(solid, f"box at wall {number}", box, wall, np.array([out, 0.0, 0.0]), GAP)
+        yield f"apart {number}", Distance(solid.body, beside)
+    yield "apart hook", Distance(solid.body, _hooked_in(solid, depth))
     low = solids.ball(solid, "ball in the floor", np.array([0.15, 0.1, DEPTH]), SMALL)
     yield "depth 0", Distance(solid.body, low)
+
+
+def _hooked_in(solid: Placed, depth: float) -> Body:
+    """A second channel, upside down, whose higher wall hangs beside the first one's in each other's pocket."""
+    over = np.array([2 * INNER_LEFT + GAP, 0.0, HIGH + LOW - depth + CLEARANCE])
+    half_a_turn = np.pi * np.array(solid.along(np.array([0.0, 1.0, 0.0])))
+    orientation = geometry.turned(np.array(solid.body.orientation), half_a_turn)
+    return Body("hook", channel(depth), position=solid.at(over), orientation=tuple(orientation.tolist()))
 
 
 def under_the_lid(place: np.ndarray) -> bool:
@@ -121,17 +140,17 @@ CONCAVE_SOLID = Family(
     title="Questions to a concave solid",
     topic="polyhedra",
     statements=(9,),
-    about="A channel 1 m wide, with walls of unequal height, is asked about points, rays, segments and balls in its"
-    " pocket, in its walls and around it.",
+    about="A channel 1 m wide, with walls of unequal height, is asked about points, rays, segments, balls and small"
+    " boxes in its pocket, in its walls and around it, and about a second channel that is hooked into it.",
     expected="A point in the pocket is outside. A ray from above goes down to the floor. A segment across the channel"
-    " lies in the solid only where it passes through the two walls. A ball in the pocket has a gap to the nearest"
-    " wall.",
+    " lies in the solid only where it passes through the two walls. A ball or a box in the pocket has a gap to the"
+    " nearest wall. Of two channels that are hooked into each other, a wall of each hangs in the pocket of the other.",
     why=(
         "A convex hull that contains two points also contains all points between them. The hull of the channel"
         " therefore has an invisible lid from rim to rim, and the pocket below the lid is solid. PyBullet makes the"
         " hull of a mesh if it is given the vertices and nothing else. MuJoCo computes contacts and distances with the"
-        " hull of every mesh. Both then answer that a point in the pocket is inside, and that a ball in the pocket"
-        " overlaps the channel.",
+        " hull of every mesh. Both then answer that a point in the pocket is inside, and that a ball, a box or"
+        " another channel in the pocket overlaps the channel.",
         "In the same model MuJoCo's rays see the triangles, and go down to the floor. A ray and a contact therefore"
         " disagree on where the solid is.",
         "The remedy is to describe the solid as convex pieces, here two walls and a floor. Tuned PyBullet and MuJoCo"
@@ -150,6 +169,8 @@ CONCAVE_SOLID = Family(
                  solids.length(lambda case: float(np.linalg.norm(SLANT))), solids.size_of),
         Quantity("segment", "segment", "m", solids.mean_of("segment"), solids.length(_within), solids.size_of),
         Quantity("gap", "gap", "m", solids.mean_of("gap"), solids.length(lambda case: GAP),
+                 solids.size_of, solids.left_by_iteration),
+        Quantity("apart", "between solids", "m", solids.mean_of("apart"), solids.length(lambda case: GAP),
                  solids.size_of, solids.left_by_iteration),
         Quantity("depth", "depth", "m", solids.mean_of("depth"), solids.length(lambda case: -(DEPTH + SMALL)),
                  solids.size_of, solids.left_by_iteration),

@@ -1,4 +1,4 @@
-"""Points, rays, segments and balls at a convex polyhedron (slide 9)."""
+"""Points, rays, segments, balls and other solids at a convex polyhedron (slide 9)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios import solids
-from reference.catalogue.scenarios.solids import HAIR, TURNED, UPRIGHT, Placed, corners, edges, faces
+from reference.catalogue.scenarios.solids import HAIR, TURNED, UPRIGHT, Placed, Touching, corners, edges, faces
 from reference.checks import Quaternion, Vector
 from reference.engines.surveying import TIMESTEP
 from reference.prediction import answering
@@ -102,6 +102,20 @@ def _about_the_solid(solid: Placed, size: float) -> Iterator[tuple[str, Query]]:
         yield beside(f"e{number}", 0.6 * start + 0.4 * end, out)
     for number, (vertex, out) in enumerate(corners(solid.shape)):
         yield beside(f"v{number}", vertex, out)
+    for name, touching, place, out in _other_solids(solid.shape, size):
+        body = solids.before(solid, f"solid {name}", touching, place, out, GAP * size)
+        yield f"apart {name}", Distance(solid.body, body)
+
+
+def _other_solids(shape: Polyhedron, size: float) -> Iterator[tuple[str, Touching, Array, Array]]:
+    """A corner before each face, an edge across each edge, and before each vertex a face of another octahedron."""
+    for number, (triangle, normal) in enumerate(faces(shape)):
+        yield f"f{number}", solids.corner_of_a_box(size), WEIGHTS @ triangle, normal
+    for number, (start, end, out) in enumerate(edges(shape)):
+        yield f"e{number}", solids.edge_of_a_box(size), 0.6 * start + 0.4 * end, out
+    for number, (vertex, out) in enumerate(corners(shape)):
+        triangle, normal = list(faces(shape))[number]
+        yield f"v{number}", Touching(shape, WEIGHTS @ triangle, normal), vertex, out
 
 
 def _about_its_edges(solid: Placed, size: float) -> Iterator[tuple[str, Query]]:
@@ -141,22 +155,27 @@ CONVEX_SOLID = Family(
     title="Questions to a convex solid",
     topic="polyhedra",
     statements=(9, 4),
-    about="An irregular octahedron of about 1 m is asked about points, rays, segments and balls, in four poses: as it"
-    " was drawn, turned, 20 times smaller, and 1 km from the origin.",
+    about="An irregular octahedron of about 1 m is asked about points, rays, segments, balls and other solids, in four"
+    " poses: as it was drawn, turned, 20 times smaller, and 1 km from the origin.",
     expected="A point is inside if it is behind all faces. Each ray and each ball is set up from a place on the solid,"
-    " so that its length or its gap is known. A segment is in the solid from the last plane of a face that it enters"
-    " to the first that it leaves.",
+    " so that its length or its gap is known. So is each other solid: a box with a corner before a face, or with an"
+    " edge across an edge, and a second octahedron with a face before a vertex. A segment is in the solid from the"
+    " last plane of a face that it enters to the first that it leaves.",
     why=(
         "Bullet adds a margin of 1 mm to a convex hull. As installed it therefore gives every gap 1 mm too small and"
         " stops a ray too early. Its search along a ray ends as soon as it is within 1 mm of that margin, which only"
-        " shows near edges. In the tuned settings rays meet the triangles, which have no margin, and gaps are measured"
-        " to a hull without a margin.",
+        " shows near edges. Two hulls have two margins, and are 2 mm too near to each other. A box keeps its size:"
+        " there the margin rounds off edges and corners, so that a corner is up to 0.7 mm farther away than it should"
+        " be. In the tuned settings rays meet the triangles, which have no margin, and gaps are measured to a hull"
+        " without a margin.",
         "Bullet also puts the vertices of a hull on a grid of 10216 steps between the least and the largest coordinate"
         " along each axis, so that the error of a gap is up to `10⁻⁴` of the size of the solid.",
         "MuJoCo and DART keep the vertices of a mesh in single precision, so that lengths are right to `10⁻⁷` of the"
         " solid's size. MuJoCo ends its search for nearest points when it is within 1 µm.",
         "DART measures distances to triangles, which have no inside. For a ball that is wholly within the solid, it"
-        " gives the gap that the ball would have outside, equally far from the surface.",
+        " gives the gap that the ball would have outside, equally far from the surface. Of two solids that overlap, it"
+        " says that they are 0 m apart. None of the hand-written functions tells how deep two solids overlap either, so"
+        " the lab only asks about solids that are apart.",
         "No engine has a function that decides whether a point is inside. With tuned engines the lab counts how often"
         " a ray from the point crosses the triangles. With stock PyBullet and MuJoCo it asks for the gap of a ball"
         " with a radius of 1 µm.",
@@ -169,6 +188,8 @@ CONVEX_SOLID = Family(
                  solids.size_of),
         Quantity("gap", "gap", "m", solids.mean_of("gap"), solids.length(lambda case: GAP * solids.size_of(case)),
                  solids.size_of, solids.left_by_iteration),
+        Quantity("apart", "between solids", "m", solids.mean_of("apart"),
+                 solids.length(lambda case: GAP * solids.size_of(case)), solids.size_of, solids.left_by_iteration),
         Quantity("depth", "depth", "m", solids.mean_of("depth"),
                  solids.length(lambda case: -(DEPTH + SMALL) * solids.size_of(case)), solids.size_of,
                  solids.left_by_iteration),

@@ -17,7 +17,7 @@ from reference.errors import RunFailed, Undecided
 from reference.scene import geometry
 from reference.scene.polyhedron import Polyhedron, Triangle
 from reference.scene.query import Ray, Segment
-from reference.scene.scenario import Body, Sphere
+from reference.scene.scenario import Body, Box, Sphere
 from reference.scene.settings import Settings
 from reference.scene.survey import Survey
 from reference.scene.trajectory import Trajectory
@@ -74,6 +74,42 @@ def ball(solid: Placed, name: str, place: Array, radius: float, way: Array | Non
     if way is None:
         return Body(name, Sphere(radius), position=solid.at(place))
     return Body(name, Sphere(radius), 1.0, solid.at(place), velocity=solid.along(way))
+
+
+@dataclass(frozen=True)
+class Touching:
+    """A shape, a place on it, m, and a unit normal of a plane that has the shape behind it and goes through the place.
+
+    Both in the shape's own axes.
+    """
+
+    shape: Polyhedron | Box
+    place: Array
+    normal: Array
+
+
+def corner_of_a_box(size: float) -> Touching:
+    """The corner of a box whose sides are all different, seen from a way that is not its diagonal."""
+    half = size * np.array([0.1, 0.15, 0.2])
+    return Touching(Box(tuple(half.tolist())), half, unit(np.array([4.0, 5.0, 6.0])))
+
+
+def edge_of_a_box(size: float) -> Touching:
+    """A place on the edge of the same box that is not its middle."""
+    half = size * np.array([0.1, 0.15, 0.2])
+    return Touching(Box(tuple(half.tolist())), half * (1, 1, 0.3), unit(np.array([3.0, 4.0, 0.0])))
+
+
+def before(solid: Placed, name: str, touching: Touching, place: Array, out: Array, gap: float) -> Body:
+    """A body so far from a place on a solid, m, along a unit vector from it; place and vector in the solid's own axes.
+
+    The plane through the place and across the vector has the solid behind it. A plane of the body is opposite to it, so
+    that the gap is the distance of the two.
+    """
+    away = np.array(solid.along(out))
+    orientation = geometry.quaternion_between(touching.normal, -away)
+    position = np.array(solid.at(place)) + gap * away - geometry.rotate(orientation, touching.place)
+    return Body(name, touching.shape, position=tuple(position.tolist()), orientation=tuple(orientation.tolist()))
 
 
 def faces(shape: Polyhedron) -> Iterator[tuple[Array, Array]]:

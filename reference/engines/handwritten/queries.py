@@ -48,14 +48,14 @@ def _distance(query: Distance, implementation: Implementation) -> float:
             raise CannotExpress("the distance of two half-spaces has no function")
         normal = np.array(plane.shape.normal)  # type: ignore[union-attr]
         offset = -float(normal @ np.array(plane.position))
-        return float(np.min(implementation.function("signed_distance")(_core(body), normal, offset))) - radius
-    gap, _ = implementation.function("separation_of_hulls")(_core(a), _core(b))
+        return float(np.min(implementation.function("signed_distance")(core(body), normal, offset))) - radius
+    gap, _ = implementation.function("separation_of_hulls")(core(a), core(b))
     if gap <= 0:
         raise CannotExpress("separation_of_hulls cannot tell how deep two bodies overlap")
     return float(gap) - radius
 
 
-def _core(body: Body) -> Array:
+def core(body: Body) -> Array:
     """The corners of a box, or the centre of a ball, (n, 3), m."""
     if isinstance(body.shape, Sphere):
         return np.array([body.position], dtype=np.float64)

@@ -18,7 +18,7 @@ from reference.errors import CannotExpress, InvalidInput, NoWords
 from reference.running.study import run_job
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Ray, Segment
-from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.survey import survey
 
 ENGINES = ("handwritten", "pybullet", "mujoco", "dart")
@@ -124,11 +124,51 @@ def test_a_polyhedron_in_the_way_of_a_box_has_no_words_yet(name, installed):
         engine.check_settings(scene, engine.settings(plain, next(iter(engine.profiles(plain)))))
 
 
-def test_a_survey_asks_about_polyhedra_and_balls_alone():
-    engine, box = load_engine("handwritten"), Body("box", Box((1, 1, 1)), position=(0, 0, 5))
-    with pytest.raises(CannotExpress, match="not about Box and Polyhedron"):
-        engine.query(Distance(BLOCK, box))
-    with pytest.raises(CannotExpress, match="not about Sphere"):
+@each_engine
+def test_two_solids_are_apart_as_far_as_their_nearest_faces(name, installed):
+    engine = installed(name)
+    box = Body("box", Box((0.2, 0.3, 0.4)), position=(0.7, 0.1, 3.0))
+    cube = Body("cube", CUBE, position=(0.2, -3.5, 0.1))
+    for query, expected in {
+        Distance(BLOCK, box): 1.6,
+        Distance(box, BLOCK): 1.6,
+        Distance(BLOCK, cube): 1.75,
+        Distance(cube, BLOCK): 1.75,
+    }.items():
+        assert engine.query(query) == pytest.approx(expected, abs=1e-6), query
+
+
+OVERLAPPING = Distance(BLOCK, Body("box", Box((0.2, 0.3, 0.4)), position=(0.7, 0.1, 1.3)))
+
+
+@pytest.mark.parametrize(("name", "expected"), [("pybullet", -0.1), ("mujoco", -0.1), ("dart", 0.0)])
+def test_of_two_solids_that_overlap_dart_gives_no_depth(name, expected, installed):
+    assert installed(name).query(OVERLAPPING) == pytest.approx(expected, abs=1e-6)
+
+
+def test_by_hand_no_function_tells_how_deep_two_solids_overlap():
+    with pytest.raises(CannotExpress, match="cannot tell how deep"):
+        load_engine("handwritten").query(OVERLAPPING)
+
+
+def test_two_of_bullets_hulls_are_two_margins_too_near(installed):
+    engine, cube = installed("pybullet"), Body("cube", CUBE, position=(0.2, -3.5, 0.1))
+    asked = survey("asked", [("apart", Distance(BLOCK, cube))])
+    assert engine.run(asked, engine.settings(asked, "stock")).answers[0] == pytest.approx(1.748, abs=1e-9)
+
+
+def test_bullet_knows_no_distance_of_two_meshes_of_triangles(installed):
+    engine, cube = installed("pybullet"), Body("cube", CUBE, position=(0.2, -3.5, 0.1))
+    asked = survey("asked", [("apart", Distance(BLOCK, cube))])
+    with pytest.raises(CannotExpress, match="no distance of block and cube: both are triangles"):
+        engine.run(asked, engine.settings(asked, "tuned").change(distances_of="triangles"))
+
+
+def test_a_survey_is_about_a_polyhedron_and_a_solid_with_an_end():
+    engine, plane = load_engine("handwritten"), Body("plane", HalfSpace((0, 0, 1)), position=(0, 0, -5))
+    with pytest.raises(CannotExpress, match="not HalfSpace and Polyhedron"):
+        engine.query(Distance(BLOCK, plane))
+    with pytest.raises(CannotExpress, match="not Sphere"):
         engine.query(Inside(PROBE, (0, 0, 0)))
 
 
