@@ -48,13 +48,16 @@ def gap_of_balance(strength: float, reach: float, pull: float) -> float:
 
 
 def way_around(start: Vector, goal: Vector, centre: Vector, radius: float) -> float:
-    """The shortest way around a ball, m: two tangents, and the arc between their tangent points.
+    """The shortest way around a ball, m: two tangents, and the arc between their tangent points, or straight past it.
 
     From a distance L of the centre a tangent is √(L² − r²) long, and its tangent point lies by the angle acos(r/L) from
-    the line to the centre. What is left of the angle at the centre between start and goal is the arc.
+    the line to the centre. What is left of the angle at the centre between start and goal is the arc. If nothing is
+    left, the straight line misses the ball.
     """
     ends = [[a - b for a, b in zip(end, centre, strict=True)] for end in (start, goal)]
     lengths = [math.hypot(*end) for end in ends]
     cosine = sum(a * b for a, b in zip(*ends, strict=True)) / (lengths[0] * lengths[1])
     arc = math.acos(max(-1.0, min(1.0, cosine))) - sum(math.acos(radius / length) for length in lengths)
+    if arc <= 0:
+        return math.dist(start, goal)
     return sum(math.sqrt(length**2 - radius**2) for length in lengths) + radius * arc

@@ -63,7 +63,6 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "dropped-ball": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
     "one-drop": {
-        ("", ""): "How many steps a method takes in a second is a setting and no result.",
         ("pybullet", STOCK): _EARLY,
         ("mujoco", STOCK): _NO_RESTITUTION,
     },

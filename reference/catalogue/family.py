@@ -51,7 +51,7 @@ class Quantity:
     unit, where that is more than the band of a prediction; None where nothing is. absent: what a run does that has no
     such number. share_of: what a number without a unit is a share of, where its title does not say so. asked: the same
     number by the implementation's own answers to questions of geometry, where it is to be that; a prediction, which
-    answers none, is measured.
+    answers none, is measured. cost: it says what a run takes, a number that implementations need not agree on.
     """
 
     name: str
@@ -64,6 +64,7 @@ class Quantity:
     absent: str = "has no such number"
     share_of: str = ""
     asked: Callable[[Trajectory, Callable[[Query], float]], float] | None = None
+    cost: bool = False
 
     def theory(self, case: Case) -> float | None:
         """What theory says, which depends on no engine and no timestep; None where it has no figure."""

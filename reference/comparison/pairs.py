@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from reference.catalogue.apart import why_apart
+from reference.catalogue.scenarios import catalogue
 from reference.comparison.verdicts import Row, Verdict
 
 SHARE, LEAST = 1e-3, 1e-6
@@ -98,13 +99,15 @@ class Agreement:
 
 
 def pairs(rows: Iterable[Row]) -> Iterator[Pair]:
-    """Every pair of implementations, in every case and quantity in which both were to give a number.
+    """Every pair of implementations, in every case and quantity in which both were to give a number, but in no cost.
 
     The first of a pair is the one that the rows name first, in every case alike.
     """
     met: dict[tuple[str, str, str], dict[Name, Row]] = defaultdict(dict)
     places: dict[Name, int] = {}
     for row in rows:
+        if _is_a_cost(row):
+            continue
         if row.measured is not None or row.verdict in (Verdict.FAIL, Verdict.DISAGREES):
             name = row.engine, row.profile
             places.setdefault(name, len(places))
@@ -112,6 +115,12 @@ def pairs(rows: Iterable[Row]) -> Iterator[Pair]:
     for of_each in met.values():
         for one, other in itertools.combinations(sorted(of_each, key=places.__getitem__), 2):
             yield _pair(of_each[one], of_each[other])
+
+
+def _is_a_cost(row: Row) -> bool:
+    """Whether a number says what a run takes."""
+    family = catalogue().get(row.family)
+    return family is not None and any(each.cost for each in family.quantities if each.name == row.quantity)
 
 
 def agreements(every: Iterable[Pair]) -> dict[str, dict[tuple[Name, Name], Agreement]]:

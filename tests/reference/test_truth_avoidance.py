@@ -42,6 +42,15 @@ def test_a_field_carries_a_pull_where_the_hand_written_force_is_as_large(pull):
     assert math.isclose(truth.gap_of_balance(pull, 0.6, pull), 0.0)
 
 
+def test_where_the_straight_line_misses_the_sphere_nothing_is_to_go_around():
+    start, centre, radius = (-2.0, 0.3, 0.4), (0.1, 0.0, 0.0), 0.7
+    for goal in ((1.5, 1.4, 1.1), (-1.9, 0.2, 2.0)):
+        assert truth.way_around(start, goal, centre, radius) == pytest.approx(math.dist(start, goal), rel=1e-15)
+    (x, y), rise = (-2.0, 2.0), 1e-9  # a line that touches the ball, and one that just does not
+    touching, past = (truth.way_around((x, up, 0), (y, up, 0), (0, 0, 0), 1.0) for up in (1 - rise, 1 + rise))
+    assert touching == pytest.approx(past, abs=1e-8)
+
+
 def test_the_shortest_way_around_is_the_taut_string_over_a_sphere():
     start, goal, radius = (-2.0, 0.3, 0.4), (1.5, -0.2, 0.1), 0.7
     found = truth.way_around(start, goal, (0.0, 0.0, 0.0), radius)

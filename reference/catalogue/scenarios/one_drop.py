@@ -203,7 +203,7 @@ def _quantities() -> tuple[Quantity, ...]:
         Quantity("time_below", "in contact", "s", time_below, _expect_time_below, absent="never flies again"),
         Quantity("end", "end gap", "m", _end, _expect_end, slack=_falls_by_chance),
         Quantity("along", "along slope", "m/s²", _along, _expect_along, scale),
-        Quantity("steps", "steps", "1/s", lambda trajectory: 1 / trajectory.settings.timestep, None),
+        Quantity("steps", "steps", "1/s", lambda trajectory: 1 / trajectory.settings.timestep, None, cost=True),
     )
 
 

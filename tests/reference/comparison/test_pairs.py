@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import pytest
 
@@ -55,6 +56,14 @@ def test_a_number_that_fails_is_apart_even_where_another_has_none():
 def test_a_method_that_must_give_no_number_is_in_a_pair_as_well():
     (pair,) = pairs([row("a", 1.0), row("b", None, Verdict.DISAGREES)])
     assert (pair.relation, pair.difference) == (Relation.EXPLAINED, None)
+
+
+def test_implementations_need_not_take_as_many_steps():
+    of_drop = [
+        replace(row(name, count), family="one-drop", quantity="steps") for name, count in (("a", 1e3), ("b", 2e4))
+    ]
+    assert not list(pairs(of_drop))
+    assert list(pairs([replace(each, quantity="rebound") for each in of_drop]))
 
 
 def test_a_failure_without_a_known_reason_says_so():
