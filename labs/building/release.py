@@ -1,7 +1,8 @@
 """Writes the tree that a student gets: no solutions, hidden tests, known mistakes or pages for the instructor.
 
-Functions of closed labs, and those of later labs that the runs of the open labs need, are released as `labs/given`. Of
-a lab that is not open nothing else is in it: no visible test, no hint, no figure.
+Functions of closed labs, and those of other labs that the runs of the open labs need, are released as `labs/given`. If
+such a function is still to be written in an open lab, its text is packed. Of a lab that is not open nothing else is in
+the tree: no visible test, no hint, no figure.
 """
 
 from __future__ import annotations
@@ -32,7 +33,12 @@ _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
 _LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
 """Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
 _SUSPECTS = "labs/assessment/suspects"
-_UNPACK = "import base64\nimport zlib\n\nexec(zlib.decompress(base64.b85decode"
+_UNPACK = """\
+import base64
+import zlib
+
+# Packed, so that nobody reads in passing what a lab asks for.
+exec(zlib.decompress(base64.b85decode"""
 _OF_LABS = (
     "tests/autograder/visible",
     "labs/grading/diagnosis/probes",
@@ -50,25 +56,29 @@ _DATE = (1980, 1, 1, 0, 0, 0)
 """The date of all files in an archive, so that the same release makes the same bytes on every day."""
 
 
-def release(out: Path, through: str | None = None, only: str | None = None) -> list[str]:
-    """Write the tree of the labs up to one of them, as a folder or, if the name ends in `.zip`, as an archive.
+def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> list[str]:
+    """Write a tree of labs, as a folder or, if the name ends in `.zip`, as an archive.
 
-    only: one lab alone. It has what its runs borrow from other labs, and no other answer of theirs. Returns the labs in
-    the tree.
+    through: the last lab. Those before it are closed, and their answers are released. Without it no lab is closed.
+    only: the labs of the course, all that have a lesson if it names none. Returns the labs in the tree.
 
     Raises
     ------
     InvalidInput
         If there is already such a folder and it is not empty, if it cannot be written, if that lab has no lesson, if
-        both labs are named, or if this is an installed copy of the lab rather than the project's folder.
+        the last lab is none of the course, or if this is an installed copy of the lab rather than the project's folder.
     """
-    if through is not None and only is not None:
-        raise InvalidInput(f"a release has all labs through {through}, or only {only}: name one of the two options")
     missing = [name for name in (*_FOLDERS, *_FILES) if not (ROOT / name).exists()]
     if missing:
         raise InvalidInput(f"a release is made from the project's folder; this copy of the lab lacks {missing[0]}")
-    open_labs = _through(through) if only is None else [_with_lesson(only)]
-    closed = set[str]() if only is not None else _closed(open_labs)
+    open_labs = _course(only)
+    closed = set[str]()
+    if through is not None:
+        last = _with_lesson(through)
+        if last not in open_labs:
+            raise InvalidInput(f"{last} is not among the labs of the release, {', '.join(open_labs)}")
+        open_labs = [topic for topic in open_labs if _number(topic) <= _number(last)]
+        closed = set(open_labs[:-1]) if only else _before(last)
     if out.suffix == ".zip":
         check_file(_CONTENT, out, _OPTION)
         with tempfile.TemporaryDirectory() as folder:
@@ -83,27 +93,28 @@ def release(out: Path, through: str | None = None, only: str | None = None) -> l
 
 
 def given(open_labs: Collection[str], closed: Collection[str] = ()) -> dict[str, str]:
-    """The modules of `labs/given`: all of closed labs, what open labs give, and what they borrow from other labs."""
+    """The modules of `labs/given`: all of closed labs, what open labs give, and what they borrow from other labs.
+
+    What contains an answer of an open lab is packed.
+    """
     wanted = {name: [entry.name for entry in lecture.functions_of(name)] for name in closed}
     shown = [entry.name for topic in open_labs for entry in lecture.functions_of(topic) if entry.role == "given"]
     for name in (*shown, *(lent for topic in open_labs for lent in lessons.read(topic).lent)):
         found = wanted.setdefault(lecture.function(name).topic, [])
         found += [name] * (name not in found)
-    return {topic: _module(topic, names) for topic, names in sorted(wanted.items()) if names}
+    asked = {entry.name for topic in {*open_labs} - {*closed} for entry in lecture.functions_of(topic)
+             if entry.role == "written"}  # fmt: skip
+    return {topic: _module(topic, names, asked) for topic, names in sorted(wanted.items()) if names}
 
 
-def _closed(open_labs: Collection[str]) -> set[str]:
-    """The labs before the last open one: their time is over."""
-    last = max((_number(name) for name in open_labs), default=-1)
-    return {topic.name for topic in lecture.TOPICS[:last]} if last > 0 else set()
+def _before(last: str) -> set[str]:
+    """The topics before a lab: their time is over."""
+    return {topic.name for topic in lecture.TOPICS[: _number(last)]}
 
 
-def _through(through: str | None) -> list[str]:
-    there = lessons.lessons()
-    if through is None:
-        return list(there)
-    name = _with_lesson(through)
-    return [topic for topic in there if _number(topic) <= _number(name)]
+def _course(only: Sequence[str]) -> list[str]:
+    """The labs that are named, or all that there are, in the order of teaching."""
+    return sorted({_with_lesson(name) for name in only}, key=_number) or list(lessons.lessons())
 
 
 def _with_lesson(lab: str) -> str:
@@ -166,9 +177,14 @@ def _hide_answers(out: Path, open_labs: Collection[str]) -> None:
 
 def _packed(source: str) -> str:
     """A module that does the same and cannot be read in passing: wrong functions give most of the right ones away."""
+    return f'"""Packed, so that nobody reads it in passing: find the input instead."""\n\n{_unpacking(source)}'
+
+
+def _unpacking(source: str) -> str:
+    """Lines that run a source which cannot be read in passing."""
     text = base64.b85encode(zlib.compress(source.encode("utf-8"))).decode("ascii")
     lines = "\n".join(f'    "{part}"' for part in textwrap.wrap(text, 100))
-    return f'"""Packed, so that nobody reads it in passing: find the input instead."""\n\n{_UNPACK}(\n{lines}\n)))\n'
+    return f"{_UNPACK}(\n{lines}\n)))\n"
 
 
 def _ignored(folder: str, names: list[str]) -> set[str]:
@@ -187,9 +203,20 @@ def _for_students(project: str) -> str:
     )
 
 
-def _module(topic: str, names: Collection[str]) -> str:
-    excerpts = TopicExcerpts.of(topic).needed(names)
-    head = f'"""{lecture.topic(topic).title}: given."""\n\nfrom __future__ import annotations\n\n'
+def _module(topic: str, names: Collection[str], asked: Collection[str]) -> str:
+    """A module with these functions; those that contain a function which an open lab asks for are packed."""
+    every, title = TopicExcerpts.of(topic), lecture.topic(topic).title
+    packed = [name for name in names if any(found.defines & set(asked) for found in every.needed([name]))]
+    plain = [name for name in names if name not in packed]
+    texts = [_text(every, title, plain)] if plain else [f'"""{title}: given."""\n']
+    if packed:
+        texts.append(_unpacking(_text(every, title, packed)))
+    return "\n\n".join(texts)
+
+
+def _text(every: TopicExcerpts, title: str, names: Collection[str]) -> str:
+    excerpts = every.needed(names)
+    head = f'"""{title}: given."""\n\nfrom __future__ import annotations\n\n'
     return f"{head}{imports_of(excerpts)}\n\n{without_notes(text_of(excerpts))}\n"
 
 

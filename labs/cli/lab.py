@@ -68,17 +68,23 @@ def release(
         Path, typer.Option(metavar="DIR", help="A new folder, or a file whose name ends in .zip.", show_default=False)
     ],
     through: Annotated[
-        str | None, typer.Option(metavar="LAB", help="The last lab in it; all if you name none.", show_default=False)
+        str | None,
+        typer.Option(metavar="LAB", help="The last lab in it; those before it are closed.", show_default=False),
     ] = None,
     only: Annotated[
-        str | None, typer.Option(metavar="LAB", help="One lab alone, with what its runs need.", show_default=False)
+        list[str] | None,
+        typer.Option(
+            metavar="LAB",
+            help="One lab, with what its runs need; repeat for several. All by default.",
+            show_default=False,
+        ),
     ] = None,
 ) -> None:
     """Write what a student gets: notebooks, engines' recordings, visible tests; answers of closed labs alone.
 
-    For example:  collisions lab release --out collisions-lab.zip --through detection
+    For example:  collisions lab release --out collisions-lab.zip --only detection --only impulse --through detection
     """
-    labs = write_release(out, through, only)
+    labs = write_release(out, through, only or ())
     output.print(f"{out} holds the labs {', '.join(labs)}.", soft_wrap=True, markup=False)
 
 

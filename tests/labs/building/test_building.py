@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import numpy as np
 import pytest
 from made_lessons import HEAD, WRITES, sources
 from program import collisions
@@ -204,8 +205,21 @@ def test_what_a_lab_is_given_holds_no_answer_of_the_lab_itself():
     for topic in lessons.lessons():
         through.append(topic)
         text = "\n".join(given(through).values())
-        asked = [entry.name for entry in lecture.functions_of(topic) if entry.role == "written"]
+        asked = [entry.name for lab in through for entry in lecture.functions_of(lab) if entry.role == "written"]
         assert [name for name in asked if f"def {name}(" in text] == []
+
+
+def test_two_open_labs_can_borrow_what_the_other_asks_for(monkeypatch):
+    modules = given(["detection", "impulse"])
+    assert "def signed_distance" not in modules["detection"]
+    found = ModuleType("given")
+    monkeypatch.setitem(sys.modules, "given", found)  # where a dataclass looks for itself
+    found.__dict__["__name__"] = "given"
+    exec(modules["detection"], found.__dict__)
+    assert found.signed_distance(np.array([0.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0]), -0.5) == 1.5
+    closed = given(["impulse"], ["detection"])
+    assert "def signed_distance" in closed["detection"]
+    assert "def count_impacts" in closed["detection"]
 
 
 def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_path):
@@ -226,7 +240,7 @@ def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_pat
 
 
 def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypatch):
-    assert release(tmp_path / "out", only="impulse") == ["impulse"]
+    assert release(tmp_path / "out", only=["impulse"]) == ["impulse"]
     text = (tmp_path / "out/labs/given/detection.py").read_text(encoding="utf-8")
     assert "def signed_distance" in text
     assert "def count_impacts" not in text
@@ -241,8 +255,21 @@ def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypa
     figures = {path.stem for path in (tmp_path / "out/labs/figures").glob("*.svg")}
     assert "contact" in figures
     assert "chord" not in figures
-    with pytest.raises(InvalidInput, match="name one of the two"):
-        release(tmp_path / "other", "detection", "detection")
+    with pytest.raises(InvalidInput, match="detection is not among the labs of the release, impulse"):
+        release(tmp_path / "other", "detection", ["impulse"])
+
+
+def test_of_some_labs_those_before_the_last_open_one_are_closed(tmp_path):
+    labs = ["impulse", "detection"]
+    assert release(tmp_path / "first", "detection", labs) == ["detection"]
+    assert not (tmp_path / "first/labs/notebooks/impulse.ipynb").exists()
+    assert release(tmp_path / "second", "impulse", labs) == ["detection", "impulse"]
+    text = (tmp_path / "second/labs/given/detection.py").read_text(encoding="utf-8")
+    assert "def count_impacts" in text  # an answer of the closed lab
+    assert release(tmp_path / "both", only=labs) == ["detection", "impulse"]
+    text = (tmp_path / "both/labs/given/detection.py").read_text(encoding="utf-8")
+    assert "def count_impacts" not in text
+    assert "def signed_distance" not in text  # it is there, packed, for the runs of the other lab
 
 
 def test_two_archives_are_the_same_and_a_full_folder_is_left_alone(lesson, tmp_path):
