@@ -10,10 +10,10 @@ import typer
 from labs.assessment import oral as oral_kit
 from labs.assessment.seeded import in_words
 from labs.assessment.shares import SHARES
-from labs.building import guidance_gaps, instructor_page, lessons, marking, notebooks, seeded_questions
+from labs.building import course_page, guidance_gaps, instructor_page, lessons, marking, notebooks, seeded_questions
 from labs.building.release import release as write_release
 from labs.cli.console import errors, output
-from labs.project_folders import INSTRUCTOR_PAGES, ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
 from reference.errors import InvalidInput
 
@@ -33,7 +33,7 @@ def build(
         bool, typer.Option("--check", help="Write nothing; fail if a notebook is not what would be written.")
     ] = False,
 ) -> None:
-    """Build a student's notebook, a solved one and an instructor's page from each lesson.
+    """Build a student's notebook, a solved one and an instructor's page from each lesson, and the page of the course.
 
     For example:  collisions lab build detection
     """
@@ -42,20 +42,18 @@ def build(
         raise InvalidInput("there are no lessons: labs/lessons is empty")
     for gap in (gap for name in topics for gap in guidance_gaps.gaps(name)):
         errors.print(f"still to do: {gap}", markup=False, soft_wrap=True)
-    stale = []
+    made: dict[Path, str] = {}
     for name in topics:
-        made = {
+        made |= {
             STUDENT_NOTEBOOKS / f"{name}.ipynb": notebooks.text(notebooks.student(name)),
             SOLVED_NOTEBOOKS / f"{name}.ipynb": notebooks.text(notebooks.solved(name)),
             INSTRUCTOR_PAGES / f"{name}.md": instructor_page.page(name),
         }
-        for path, text in made.items():
-            if _is(path, text):
-                continue
-            stale.append(path)
-            if not check:
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_text(text, encoding="utf-8")
+    made[COURSE_PAGE] = course_page.page()
+    stale = [path for path, text in made.items() if not _is(path, text)]
+    for path in stale if not check else ():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(made[path], encoding="utf-8")
     shown = [path.relative_to(ROOT).as_posix() for path in stale]
     if check and stale:
         errors.print(

@@ -13,12 +13,12 @@ import pytest
 from made_lessons import HEAD, WRITES, sources
 from program import collisions
 
-from labs.building import instructor_page, lessons, notebooks
+from labs.building import course_page, instructor_page, lessons, notebooks
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.building.points import points_of
 from labs.cli import lab
 from labs.grading.submission.reading import read
-from labs.project_folders import INSTRUCTOR_PAGES, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, LESSONS, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
 from reference.errors import CollisionsError
 
@@ -192,9 +192,10 @@ def test_build_check_names_what_is_stale_and_writes_nothing(lesson, tmp_path, mo
     monkeypatch.setattr(lab, "STUDENT_NOTEBOOKS", tmp_path / "student")
     monkeypatch.setattr(lab, "SOLVED_NOTEBOOKS", tmp_path / "solved")
     monkeypatch.setattr(lab, "INSTRUCTOR_PAGES", tmp_path / "pages")
+    monkeypatch.setattr(lab, "COURSE_PAGE", tmp_path / "course.md")
     stale = collisions("lab", "build", "--check", "detection")
     assert stale.code == 1
-    assert "student/detection.ipynb, solved/detection.ipynb, pages/detection.md" in stale.error
+    assert "student/detection.ipynb, solved/detection.ipynb, pages/detection.md, course.md" in stale.error
     assert not (tmp_path / "student").exists()
     assert collisions("lab", "build", "detection").code == 0
     assert json.loads((tmp_path / "student" / "detection.ipynb").read_text(encoding="utf-8"))["nbformat"] == 4
@@ -206,6 +207,20 @@ def test_the_built_notebooks_and_pages_are_up_to_date():
         for folder, made in ((STUDENT_NOTEBOOKS, notebooks.student), (SOLVED_NOTEBOOKS, notebooks.solved)):
             assert Path(folder, f"{topic}.ipynb").read_text(encoding="utf-8") == notebooks.text(made(topic)), topic
         assert Path(INSTRUCTOR_PAGES, f"{topic}.md").read_text(encoding="utf-8") == instructor_page.page(topic), topic
+    assert COURSE_PAGE.read_text(encoding="utf-8") == course_page.page()
+
+
+def test_the_page_of_the_course_names_every_lab_and_adds_up_its_minutes():
+    page = course_page.page()
+    assert set(course_page.IDEAS) == {topic.name for topic in lecture.TOPICS}
+    for topic in lessons.lessons():
+        planned = sum(
+            int(minutes)
+            for minutes in re.findall(
+                r"^## .*\((\d+) minutes\)", (LESSONS / f"{topic}.md").read_text(encoding="utf-8"), re.MULTILINE
+            )
+        )
+        assert f"| `{topic}` | [{planned / 60:.2g}](instructors/{topic}.md) |" in page
 
 
 def test_the_page_of_a_lab_has_every_question_with_its_rubric_and_every_prediction():

@@ -1,0 +1,120 @@
+"""The page of the course: what depends on what, the hours of each lab, and courses of three labs and of ten weeks.
+
+`collisions lab build` writes it to `docs/course.md`. Hours and functions come from the lessons, so they are said once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from labs.building.instructor_page import parts
+from labs.building.lessons import lessons, read
+from reference import lecture
+
+IDEAS: Mapping[str, tuple[str, str]] = {
+    "detection": ("the dot product", "nothing"),
+    "response": ("the dot product", "that a signed distance says which side of a plane a point is on (`detection`)"),
+    "friction": ("forces in two directions", "what happens along the normal (`response`)"),
+    "impulse": ("the cross product, the moment of inertia", "the coefficient of restitution (`response`)"),
+    "polyhedra": ("the cross product, arrays of indices", "which side of a plane a point is on (`detection`)"),
+    "sweeping": ("quadratic equations", "when a point meets a plane, and what a step misses (`detection`)"),
+    "forces": ("derivatives", "nothing"),
+    "meshes": ("derivatives, matrices", "springs and their longest timestep (`forces`)"),
+    "avoidance": ("the dot product", "nothing"),
+    "world": ("linear equations", "impulses (`impulse`) and friction (`friction`)"),
+}
+"""Of each lab, what it needs of mathematics, and which idea of an earlier lab it builds on."""
+SPINE = ("detection", "response", "impulse")
+"""The three labs that follow the lecture from its first slides on detection to the impulse of two rigid bodies."""
+
+
+def page() -> str:
+    """The page, in Markdown."""
+    there = lessons()
+    return _PAGE.format(
+        labs=_table(there),
+        count=_COUNTS[len(there)].capitalize(),
+        missing=_missing(there),
+        minutes=_minutes(there),
+        spine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in SPINE),
+        only=" ".join(f"--only {name}" for name in SPINE),
+        first=SPINE[0],
+    )
+
+
+def _table(there: Sequence[str]) -> str:
+    rows = [
+        "| lab | hours | functions to write | statements of the lecture | mathematics | builds on |",
+        "|---|---|---|---|---|---|",
+    ]
+    for topic in lecture.TOPICS:
+        needs, idea = IDEAS[topic.name]
+        statements = sorted({entry.statement for entry in lecture.functions_of(topic.name)})
+        hours, written = "planned", ""
+        if topic.name in there:
+            lesson = read(topic.name)
+            hours = f"[{sum(part.minutes for part in parts(lesson)) / 60:.2g}](instructors/{topic.name}.md)"
+            written = str(len(lesson.written))
+        shown = ", ".join(map(str, statements))
+        rows.append(f"| `{topic.name}` | {hours} | {written} | {shown} | {needs} | {idea} |")
+    return "\n".join(rows)
+
+
+def _minutes(there: Sequence[str]) -> str:
+    rows = ["| lab | minutes of its parts |", "|---|---|"]
+    for name in there:
+        steps = "; ".join(f"{part.title}: {part.minutes}" for part in parts(read(name)) if part.minutes)
+        rows.append(f"| `{name}` | {steps} |")
+    return "\n".join(rows)
+
+
+def _missing(there: Sequence[str]) -> str:
+    left = [f"`{topic.name}`" for topic in lecture.TOPICS if topic.name not in there]
+    return f" The labs {', '.join(left[:-1])} and {left[-1]} are planned." if len(left) > 1 else ""
+
+
+_COUNTS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+_PAGE = """\
+# The course
+
+The lecture has ten topics, and a lab is planned for each. {count} of them exist.{missing}
+
+Every lab can be taken by itself: what a run needs from another lab is given. The last column of the table says which
+idea a lab builds on, so that you know what to repeat if your class has not done the earlier lab. `collisions lab build`
+writes this page from the lessons.
+
+{labs}
+
+The hours are planned and not timed; [how long the labs take](../labs/lessons/times.md) says how they were found. Each
+number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and the questions with
+model answers.
+
+{minutes}
+
+## Three labs
+
+If you have three weeks, take the labs that lead from the first slides to the impulse between two rigid bodies:
+{spine}. Each fills one session of two hours, with the first steps as homework before it and the questions as homework
+after it.
+
+```sh
+collisions lab release --out week-1.zip {only} --through {first}
+```
+
+writes what the students get in the first week. For the next week, name the next lab in `--through`; the release then
+also has the answers of the labs before it.
+
+## Ten weeks
+
+Take one lab a week, in the order of the table, which is that of the lecture. The last one, `world`, puts the others
+together and needs two sessions. `collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
+
+## Handing out and marking
+
+- Hand out an archive per week with `--through`, or all labs at once without it ([what a student
+  gets](notebooks.md#what-a-student-gets)).
+- Students work in the notebook; `collisions check` tells them what is right at any time.
+- Mark the functions, the inputs and the predictions with `collisions lab marks`, and the questions by hand with the
+  rubrics ([marking](assessment.md)).
+- If you doubt whose work a file is, `collisions lab oral` makes three questions from it ([assistants](assistants.md)).
+"""
