@@ -8,6 +8,7 @@ from labs.assessment import exposures
 from labs.assessment.marks import Marks, marks
 from labs.building import lessons
 from labs.grading.judging.grade import grade
+from labs.grading.judging.score_sheet import Sheet
 from labs.grading.submission.asked_predictions import predictions_in, predictions_of
 from reference import lecture
 
@@ -23,11 +24,15 @@ def marked(file: Path, topic: str, questions: float | None = None) -> Marks:
         If there is no such lab, the questions do not have so many points, or the file cannot be read.
     """
     name = lecture.topic(topic).name
+    return marks_of(grade(file, [name]).sheet, file, name, questions)
+
+
+def marks_of(sheet: Sheet, file: Path, name: str, questions: float | None = None) -> Marks:
+    """The same of a notebook whose tests have been run."""
     lesson = lessons.read(name)
     asked = predictions_in(cell.text for cell in lesson.cells if cell.code)
     made = predictions_of(file)
     possible = sum(cell.points for cell in lesson.cells if cell.kind == "answer")
-    sheet = grade(file, [name]).sheet
     return marks(
         (sum(outcome.earned for outcome in sheet.outcomes), sum(outcome.points for outcome in sheet.outcomes)),
         exposures.found_in(file, name),

@@ -30,8 +30,12 @@ from reference.writable import check_file, folder_for
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
-_LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
-"""Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
+_LEFT_OUT = (
+    "labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py", "labs/gradebook",
+    "labs/cli/grade.py",
+)  # fmt: skip
+"""Code that makes notebooks and grades classes, and files that hold model answers. Notebooks and given functions are
+made per release."""
 _SUSPECTS = "labs/assessment/suspects"
 _UNPACK = """\
 import base64

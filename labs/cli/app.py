@@ -20,8 +20,8 @@ from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
 INTERRUPTED = 130
-COMMANDS = ("check", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
-"""Each is a function of the same name in a module of the same name."""
+COMMANDS = ("check", "grade", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
+"""Each is a function of the same name in a module of the same name. A student's tree has no `grade`."""
 GROUPS = ("lab",)
 """Modules with several commands in their `app`. A student's tree has none: there is nothing to build from."""
 
@@ -30,7 +30,7 @@ class _Commands(TyperGroup):
     """Loads only the command that is run, and turns errors of the lab into a message and an exit code."""
 
     def list_commands(self, _: Any) -> list[str]:
-        return [*COMMANDS, *(name for name in GROUPS if importlib.util.find_spec(f"labs.cli.{name}"))]
+        return [name for name in (*COMMANDS, *GROUPS) if importlib.util.find_spec(f"labs.cli.{name}")]
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
         if cmd_name not in self.list_commands(ctx):

@@ -10,7 +10,7 @@ import contextlib
 import json
 import os
 import tempfile
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -52,19 +52,7 @@ class Grade:
 
     def write(self, path: Path | str) -> None:
         """Write the file in one go: any reader sees either the old file or the new one."""
-        path = Path(path)
-        descriptor, name = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.parent)  # of mode 0600
-        try:
-            with open(descriptor, "w", encoding="utf-8") as file:
-                json.dump(self.content(), file, ensure_ascii=False, indent=1, allow_nan=False)
-                file.write("\n")
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(name, path)
-        except BaseException:
-            with contextlib.suppress(FileNotFoundError):
-                os.unlink(name)
-            raise
+        write_private(Path(path), as_json(self.content()))
 
     def _about(self, topic: str) -> list[Outcome]:
         return [outcome for outcome in self.sheet.outcomes if _topic(outcome) == topic]
@@ -90,6 +78,26 @@ class Grade:
             "mistakes": [known.id for known in blame.diagnosis.mistakes] if blame.diagnosis else [],
             "message": "\n".join(blame.lines()),
         }
+
+
+def as_json(content: Mapping[str, Any]) -> str:
+    """The text of a file of plain data: equal content makes equal bytes."""
+    return json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def write_private(path: Path, text: str) -> None:
+    """Write a file that its owner alone can read, in one go: any reader sees either the old file or the new one."""
+    descriptor, name = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.parent)  # of mode 0600
+    try:
+        with open(descriptor, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(name, path)
+    except BaseException:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(name)
+        raise
 
 
 def grade(

@@ -1,0 +1,93 @@
+"""`collisions grade`: a folder of submissions, graded with all tests into a folder of marks."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from labs.cli.console import errors, output
+from labs.gradebook.book import Book, Failures, run
+from labs.gradebook.class_grading import Class, marks, read_class, tasks, write_tables
+from labs.gradebook.deadlines import Deadlines, read_deadlines
+from labs.gradebook.grading import Graded, Task
+from labs.gradebook.roster import read_roster
+from labs.grading.budget import SECONDS
+from reference import lecture
+from reference.writable import folder_for
+
+FAILED = 1
+
+
+def grade(
+    folder: Annotated[
+        Path, typer.Argument(metavar="FOLDER", help="What the platform's archive unpacks to.", show_default=False)
+    ],
+    lab: Annotated[str, typer.Option(metavar="LAB", help="Which lab.", show_default=False)],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="The folder of the grades.")] = Path("grades"),
+    roster: Annotated[
+        Path | None,
+        typer.Option(metavar="CSV", help="Who is in the course: Canvas' or Moodle's file, or one of your own."),
+    ] = None,
+    rules: Annotated[
+        Path | None, typer.Option(metavar="TOML", help="Deadlines, and what a late submission loses.")
+    ] = None,
+    release: Annotated[
+        str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
+    ] = "",
+    seconds: Annotated[float, typer.Option(metavar="S", help="How long each submission may take.")] = SECONDS,
+    workers: Annotated[
+        int | None, typer.Option("--jobs", "-j", min=1, help="Submissions at a time; by default one per processor.")
+    ] = None,
+) -> None:
+    """Grade a class. A run that was stopped continues where it was; only what has changed is graded again.
+
+    For example:  collisions grade submissions --lab impulse --roster canvas.csv --out grades
+    """
+    topic = lecture.topic(lab).name
+    found = read_class(folder, topic, read_roster(roster) if roster else None)
+    deadlines = read_deadlines(rules) if rules else Deadlines()
+    count, failures, book = workers or os.cpu_count() or 1, Failures(), Book(out)
+    with folder_for("the grades", out, "--out"), book.alone():
+        gone = book.forget_others(found.handed, topic)
+        _grade_all(book, found, release, seconds, count, failures)
+        every = marks(found, book, deadlines, failures)
+        written = write_tables(out, found, every)
+    graded = sum(mark.content is not None for mark in every)
+    output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
+    for student in gone:
+        output.print(f"The grade of {student} is removed: nothing is handed in any more.", markup=False, soft_wrap=True)
+    for mark in every:
+        if mark.notes:
+            output.print(f"{mark.student.id}: {'; '.join(mark.notes)}", markup=False, soft_wrap=True)
+    output.print(f"Marks: {', '.join(str(path) for path in written)}", markup=False, soft_wrap=True)
+    raise typer.Exit(FAILED if failures.said else 0)
+
+
+def _grade_all(book: Book, found: Class, release: str, seconds: float, count: int, failures: Failures) -> None:
+    columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=errors, transient=True) as progress:
+        bar = progress.add_task("", total=len(found.handed))
+
+        def todo() -> Iterator[Task]:
+            for task in tasks(found, release, seconds):
+                if book.is_done(task):
+                    progress.advance(bar)
+                else:
+                    yield task
+
+        def keep(graded: Graded) -> None:
+            book.keep(graded)
+            progress.advance(bar)
+
+        run(todo(), lambda: _pool(count), count, keep, failures)
+
+
+def _pool(count: int) -> Executor:
+    return ProcessPoolExecutor(count, mp_context=multiprocessing.get_context("spawn"))

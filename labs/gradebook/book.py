@@ -1,0 +1,161 @@
+"""The grades of a class in a folder: each is written once, in one go, and a run that was stopped continues.
+
+    grades/students/4711/grade.json      what the student's submission earned, and with what it was graded
+    grades/students/4711/measured.json   how long it took, and how much memory
+
+A grade counts as done if it has the identity of the submission that is to be graded now: the same file, lab, release
+and versions. Everything else is graded again. What is left of a student who hands in nothing any more is removed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import hashlib
+import json
+import re
+import shutil
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from labs.gradebook.grading import Graded, Task, grade_one, identity
+from labs.grading.judging.grade import as_json, read_grade, write_private
+from reference.errors import InvalidInput
+
+STUDENTS, GRADE, MEASURED = "students", "grade.json", "measured.json"
+TRIES = 2
+"""So often a submission is tried whose worker dies."""
+_LOCK = ".grading"
+_SAFE = re.compile(r"[^A-Za-z0-9._-]+")
+_AHEAD = 2
+"""So many submissions wait for each worker: those further back are not read yet, so that memory does not grow."""
+
+
+@dataclass
+class Book:
+    """A folder of grades."""
+
+    folder: Path
+
+    def place(self, student: str) -> Path:
+        """The folder of a student: a name that no file system trips over, and no other student has."""
+        safe = _SAFE.sub("-", student).strip(".-")[:60]
+        if safe != student:
+            safe = f"{safe}-{hashlib.sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
+        return self.folder / STUDENTS / safe
+
+    def grade_of(self, student: str) -> dict[str, Any] | None:
+        """What was written about a student; None if nothing was, or it cannot be read."""
+        with contextlib.suppress(InvalidInput, OSError):
+            return read_grade(self.place(student) / GRADE)
+        return None
+
+    def is_done(self, task: Task) -> bool:
+        """Whether the grade that is there is the one of this submission."""
+        found = self.grade_of(task.student)
+        return found is not None and found.get("identity") == identity(task)
+
+    def keep(self, graded: Graded) -> None:
+        """Write a grade; what was there before stays until the new one is whole."""
+        place = self.place(graded.student)
+        place.mkdir(parents=True, exist_ok=True, mode=0o700)
+        write_private(place / MEASURED, as_json(graded.measured))
+        write_private(place / GRADE, as_json(graded.content))
+
+    def forget_others(self, students: Iterable[str], lab: str) -> list[str]:
+        """Remove the grades of a lab of students who hand in nothing any more, and say whose they were."""
+        kept, gone = {self.place(each) for each in students}, []
+        for place in sorted(self.folder.glob(f"{STUDENTS}/*")):
+            content = _identity(place / GRADE)
+            if place not in kept and content.get("lab") == lab:
+                shutil.rmtree(place)
+                gone.append(str(content.get("student", place.name)))
+        return gone
+
+    @contextlib.contextmanager
+    def alone(self) -> Iterator[None]:
+        """Nobody else grades into this folder meanwhile.
+
+        Raises
+        ------
+        InvalidInput
+            If somebody does.
+        """
+        self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        with open(self.folder / _LOCK, "w", encoding="utf-8") as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                raise InvalidInput(
+                    f"somebody else is grading into {str(self.folder)!r}: wait until they are done"
+                ) from None
+            yield
+
+
+def _identity(path: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        return dict(found["identity"])
+    except (OSError, ValueError, TypeError, KeyError):
+        return {}
+
+
+@dataclass
+class Failures:
+    """Tasks whose worker died each time: the student's number, and what was said."""
+
+    said: dict[str, str] = field(default_factory=dict)
+
+
+def run(
+    tasks: Iterable[Task],
+    pool: Callable[[], Executor],
+    workers: int,
+    keep: Callable[[Graded], None],
+    failures: Failures,
+) -> None:
+    """Grade tasks in worker processes, each once; `keep` gets every grade as soon as it is there.
+
+    pool: makes the workers, again if one of them dies. A task that was running when a worker died is tried once more,
+    by itself, so that it takes no other with it.
+    """
+    waiting, alone = iter(tasks), deque[tuple[Task, int]]()
+    running: dict[Future[Graded], Task] = {}
+    executor = pool()
+    try:
+        while True:
+            while len(running) < workers * _AHEAD and (task := next(waiting, None)) is not None:
+                running[executor.submit(grade_one, task)] = task
+            if not running:
+                break
+            died = False
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                task = running.pop(future)
+                try:
+                    keep(future.result())
+                except BrokenProcessPool:
+                    alone.append((task, 1))
+                    died = True
+            if died:
+                alone.extend((task, 1) for task in running.values())
+                running.clear()
+                executor.shutdown(wait=False, cancel_futures=True)
+                executor = pool()
+        while alone:
+            task, tries = alone.popleft()
+            try:
+                keep(executor.submit(grade_one, task).result())
+            except BrokenProcessPool:
+                executor.shutdown(wait=False, cancel_futures=True)
+                executor = pool()
+                if tries < TRIES:
+                    alone.append((task, tries + 1))
+                else:
+                    failures.said[task.student] = "the process that graded it died twice"
+    finally:
+        executor.shutdown(wait=True, cancel_futures=True)

@@ -1,0 +1,122 @@
+"""A whole class: whose each submission is, what is still to be graded, and the files of the marks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from labs.gradebook.arrivals import Arrival, Missing, arrivals
+from labs.gradebook.book import Book, Failures
+from labs.gradebook.deadlines import Deadlines
+from labs.gradebook.grading import Task
+from labs.gradebook.roster import Roster, Student, of_everybody
+from labs.gradebook.tables import Mark, for_platform, junit, plain_table
+from labs.grading.judging.grade import write_private
+
+
+@dataclass
+class Class:
+    """The submissions of one lab, by student.
+
+    handed: what each student handed in. unusable: entries from which nothing can be graded, with the student if known.
+    strangers: arrivals of nobody on the roster; they are graded under the platform's own number.
+    """
+
+    lab: str
+    roster: Roster
+    handed: dict[str, Arrival] = field(default_factory=dict)
+    unusable: dict[str, Missing] = field(default_factory=dict)
+    strangers: dict[str, Student] = field(default_factory=dict)
+
+    @property
+    def students(self) -> tuple[Student, ...]:
+        """Everybody on the roster, and then the strangers."""
+        return (*self.roster.students, *self.strangers.values())
+
+
+def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
+    """Read a folder of submissions.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such folder, or nothing in it.
+    """
+    there, unusable = arrivals(folder, lab)
+    found = Class(lab, roster or of_everybody([each.owner for each in (*there, *unusable)]))
+    for arrival in sorted(there, key=lambda each: each.received.timestamp() if each.received else 0.0):
+        student = _student(found, arrival)
+        before = found.handed.get(student.id)
+        if before is not None:
+            note = f"{before.entry} is of the same student and is not graded"
+            found.handed[student.id] = replace(arrival, notes=(*arrival.notes, note))
+        else:
+            found.handed[student.id] = arrival
+    for missing in unusable:
+        student = _student(found, missing)
+        if student.id not in found.handed:
+            found.unusable[student.id] = missing
+    return found
+
+
+def _student(found: Class, entry: Arrival | Missing) -> Student:
+    email = entry.email if isinstance(entry, Arrival) else ""
+    owner = entry.owner
+    student = found.roster.owner(owner, email)
+    if student is None:
+        student = found.strangers.setdefault(owner.key, Student(owner.key, owner.name, email))
+    return student
+
+
+def tasks(found: Class, release: str, seconds: float) -> Iterator[Task]:
+    """The submissions as tasks; each is read only when it is wanted."""
+    names = {student.id: student.name for student in found.students}
+    for student, arrival in sorted(found.handed.items()):
+        yield Task(
+            student, names.get(student, ""), found.lab, arrival.entry, arrival.file, arrival.read(), release, seconds
+        )
+
+
+def marks(found: Class, book: Book, deadlines: Deadlines, failures: Failures) -> list[Mark]:
+    """What every student gets."""
+    known = {student.id for student in found.roster.students}
+    return [_mark(found, student, student.id in known, book, deadlines, failures) for student in found.students]
+
+
+def _mark(
+    found: Class, student: Student, on_roster: bool, book: Book, deadlines: Deadlines, failures: Failures
+) -> Mark:
+    notes = [] if on_roster else ["not on the roster"]
+    arrival, missing = found.handed.get(student.id), found.unusable.get(student.id)
+    if arrival is None:
+        if missing:
+            return Mark(student, found.lab, 0.0, notes=(*notes, f"{missing.entry}: {missing.why}"))
+        return Mark(student, found.lab, None, notes=(*notes, "nothing handed in"))
+    late = deadlines.lateness(student.id, found.lab, arrival.received, arrival.owner.late)
+    notes += arrival.notes
+    if student.id in failures.said:
+        return Mark(student, found.lab, None, late=late, notes=(*notes, failures.said[student.id]))
+    content = book.grade_of(student.id)
+    if content is None:
+        return Mark(student, found.lab, None, late=late, notes=(*notes, "not graded yet"))
+    if "unreadable" in content:
+        notes.append(str(content["unreadable"]))
+    return Mark(
+        student, found.lab, float(content["points"]), float(content.get("open", 0)), late, content, tuple(notes)
+    )
+
+
+def write_tables(folder: Path, found: Class, every: Sequence[Mark]) -> list[Path]:
+    """Write the marks in each form, and say where."""
+    texts = {
+        "grades.csv": plain_table(every),
+        "grades.xml": junit(every),
+        f"{found.roster.kind.lower()}.csv": for_platform(found.roster, every, found.lab),
+    }
+    written = []
+    for name, text in texts.items():
+        if text is not None:
+            write_private(folder / name, text)
+            written.append(folder / name)
+    return written

@@ -1,0 +1,138 @@
+"""Deadlines, and what a late submission loses, by the rules of a small TOML file.
+
+[due]
+impulse = 2026-11-30T23:59:00+01:00
+
+[late]
+grace_minutes = 10      # so much later is still in time
+free_days = 2           # of each student, for all labs of one run
+percent_per_day = 10    # of the points reached, for each further day that has begun
+most_days = 5           # later than that, nothing is left
+
+[due.students.4711]     # deadlines of one student, by number
+impulse = 2026-12-07T23:59:00+01:00
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+from reference import checks, lecture
+from reference.errors import InvalidInput, UnknownName
+
+DAY = timedelta(days=1)
+_STUDENTS = "students"
+
+
+@dataclass(frozen=True)
+class Lateness:
+    """How late a submission is. days: that count, after grace and free days. share: of its points that is left."""
+
+    days: int = 0
+    share: float = 1.0
+    said: str = ""
+
+
+@dataclass(frozen=True)
+class Deadlines:
+    """The rules of a course.
+
+    due: by lab. own: by a student's number, deadlines by lab. grace: that is still in time. free_days: that cost
+    nothing. percent: of the points that each further day costs. most_days: after which nothing is left.
+    """
+
+    due: Mapping[str, datetime] = field(default_factory=dict)
+    own: Mapping[str, Mapping[str, datetime]] = field(default_factory=dict)
+    grace: timedelta = timedelta(0)
+    free_days: int = 0
+    percent: float = 0.0
+    most_days: int | None = None
+
+    def of(self, student: str, lab: str) -> datetime | None:
+        """The deadline of a student in a lab; None if there is none."""
+        return self.own.get(student, {}).get(lab, self.due.get(lab))
+
+    def lateness(self, student: str, lab: str, received: datetime | None, called_late: bool = False) -> Lateness:
+        """How late a submission is that was received at a time.
+
+        called_late: the platform calls it late and does not say when it came; this costs nothing, and is said.
+        """
+        due = self.of(student, lab)
+        if due is None or received is None:
+            return Lateness(said="late, says the platform, but not by how much") if called_late else Lateness()
+        over = received - due
+        if over <= self.grace:
+            return Lateness()
+        begun = math.ceil(over / DAY)
+        days = max(0, begun - self.free_days)
+        gone = self.most_days is not None and begun > self.most_days
+        share = 0.0 if gone else max(0.0, 1 - self.percent / 100 * days)
+        free = f", {min(begun, self.free_days)} of them free" if self.free_days else ""
+        return Lateness(days, share, f"{begun} {'day' if begun == 1 else 'days'} late{free}")
+
+
+def read_deadlines(path: Path) -> Deadlines:
+    """Read the rules.
+
+    Raises
+    ------
+    InvalidInput
+        If the file is missing, is no TOML, or has a name or value that it may not have.
+    """
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InvalidInput(f"cannot read the rules {str(path)!r}: {error.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InvalidInput(f"{str(path)!r} is no TOML file: {error}") from None
+    _only(content, {"due", "late"}, "the rules")
+    due, late = dict(_table(content, "due")), _table(content, "late")
+    students = _table(due, _STUDENTS)
+    due.pop(_STUDENTS, None)
+    _only(late, set(_LATE), "[late]")
+    most = late.get("most_days")
+    return Deadlines(
+        _moments(due),
+        {str(number): _moments(_table(students, number)) for number in students},
+        timedelta(minutes=_number(late, "grace_minutes")),
+        int(_number(late, "free_days")),
+        100 * checks.fraction("percent_per_day / 100", _number(late, "percent_per_day") / 100),
+        None if most is None else int(_number(late, "most_days")),
+    )
+
+
+_LATE = ("grace_minutes", "free_days", "percent_per_day", "most_days")
+
+
+def _only(table: Mapping[str, Any], known: set[str], where: str) -> None:
+    for name in table:
+        if name not in known:
+            raise UnknownName(f"entry of {where}", name, sorted(known))
+
+
+def _table(content: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    found = content.get(name, {})
+    if not isinstance(found, dict):
+        raise InvalidInput(f"{name} is {found!r} in the rules; it is a table, [{name}]")
+    return found
+
+
+def _moments(table: Mapping[str, Any]) -> dict[str, datetime]:
+    for lab, moment in table.items():
+        lecture.topic(lab)
+        if not isinstance(moment, datetime) or moment.tzinfo is None:
+            raise InvalidInput(f"the deadline of {lab} is {moment}; write it with its zone: 2026-11-30T23:59:00+01:00")
+    return dict(table)
+
+
+def _number(table: Mapping[str, Any], name: str) -> float:
+    value = table.get(name, 0)
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value) or value < 0:
+        raise InvalidInput(f"{name} is {value!r} in the rules; it is a number, 0 or more")
+    return float(value)

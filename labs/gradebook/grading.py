@@ -1,0 +1,116 @@
+"""Grades one submission of a class in a worker process: reads it, runs it, and returns plain data.
+
+A worker keeps one grader for all the submissions that it gets. What is found depends on the submission, the tests and
+the lab alone, so that the same file has the same grade byte for byte whenever and wherever it is graded. What depends
+on the machine and the moment, time and memory, is returned apart from it.
+"""
+
+from __future__ import annotations
+
+import atexit
+import hashlib
+import importlib.metadata
+import platform
+import resource
+import tempfile
+import time
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from labs.building.marking import marks_of
+from labs.grading.calling.remote import Grader, Limits
+from labs.grading.errors import UnreadableSubmission
+from labs.grading.judging.grade import SCHEMA, VERSION, grade
+from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
+from labs.project_folders import AUTOGRADER
+from reference.errors import InvalidInput
+
+
+@dataclass(frozen=True)
+class Task:
+    """A submission to grade. student: the number. file: its name, which a message may show. content: its bytes."""
+
+    student: str
+    name: str
+    lab: str
+    entry: str
+    file: str
+    content: bytes
+    release: str
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Graded:
+    """What came of a task. content: of `grade.json`. measured: seconds and memory, which differ from run to run."""
+
+    student: str
+    content: dict[str, Any]
+    measured: dict[str, float]
+
+
+def identity(task: Task) -> dict[str, Any]:
+    """Whose grade it is, of which file, and what it was graded with: a grade with another identity is not this one."""
+    return {
+        "student": task.student,
+        "name": task.name,
+        "lab": task.lab,
+        "entry": task.entry,
+        "file": task.file,
+        "sha256": hashlib.sha256(task.content).hexdigest(),
+        "release": task.release,
+        "seconds": task.seconds,
+        "versions": versions(task.lab),
+    }
+
+
+def versions(lab: str) -> dict[str, str]:
+    """Of all that a grade depends on besides the submission; of the tests a digest of their text."""
+    tests = hashlib.sha256()
+    for folder in (VISIBLE, HIDDEN):
+        tests.update((AUTOGRADER / folder / f"test_{lab}.py").read_bytes())
+    return {
+        "collisions-lab": importlib.metadata.version("collisions-lab"),
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "tests": tests.hexdigest(),
+    }
+
+
+def grade_one(task: Task) -> Graded:
+    """Grade a submission; one that cannot be read earns nothing, and says why."""
+    began, processor = time.monotonic(), time.process_time()
+    content: dict[str, Any] = {"schema": SCHEMA, "version": VERSION, "identity": identity(task)}
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, Path(task.file).name or "submission.ipynb")
+        path.write_bytes(task.content)
+        try:
+            found = grade(path, [task.lab], grader=_grader(), seconds=task.seconds)
+            marks = marks_of(found.sheet, path, task.lab)
+        except (UnreadableSubmission, InvalidInput) as error:
+            content |= {"unreadable": str(error), "marks": {}, "points": 0.0}
+        else:
+            content |= found.content()
+            content["marks"] = {
+                kind: {"reached": count.reached, "possible": count.possible} for kind, count in marks.counts.items()
+            }
+            content["points"] = round(marks.total, 4)
+            content["open"] = round(marks.open, 4)
+    measured = {
+        "seconds": time.monotonic() - began,
+        "processor_seconds": time.process_time() - processor,
+        "memory_kb": float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss),
+    }
+    return Graded(task.student, content, measured)
+
+
+@cache
+def _grader() -> Grader:
+    """The grader of this worker; it ends with the worker's process."""
+    grader = Grader(Limits())
+    atexit.register(grader.close)
+    return grader

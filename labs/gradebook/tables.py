@@ -1,0 +1,134 @@
+"""Marks as files that platforms take: CSV for Canvas and Moodle, a plain table, JUnit XML, and code for comparison.
+
+Threat: names and messages are hostile text. A cell that a spreadsheet would take for a formula begins with an
+apostrophe; characters that XML cannot hold are left out.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+from xml.etree import ElementTree
+
+from labs.gradebook.deadlines import Lateness
+from labs.gradebook.layouts import CANVAS, MOODLE
+from labs.gradebook.roster import Roster, Student
+
+OUT_OF = 100.0
+"""Points of a lab."""
+_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
+_NOT_XML = re.compile(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+COLUMNS = (
+    "student_id", "name", "assignment", "raw_score", "late_penalty", "score", "max_score", "open", "late", "notes",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What a student gets. raw: points of a hundred so far; None if nothing was handed in. open: that a person gives.
+
+    content: of the grade, empty if there is none. notes: what the instructor should know.
+    """
+
+    student: Student
+    lab: str
+    raw: float | None
+    open: float = 0.0
+    late: Lateness = field(default_factory=Lateness)
+    content: Mapping[str, Any] | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def score(self) -> float | None:
+        """What is left after a late submission's loss."""
+        return None if self.raw is None else self.raw * self.late.share
+
+
+def defused(text: str) -> str:
+    """Text that no spreadsheet takes for a formula."""
+    bare = text.replace("\x00", "")
+    return f"'{bare}" if bare.startswith(_FORMULA) else bare
+
+
+def plain_table(marks: Iterable[Mark]) -> str:
+    """A line for each student."""
+    return _csv(COLUMNS, (_line(mark) for mark in marks))
+
+
+def _line(mark: Mark) -> list[str]:
+    raw, score = mark.raw, mark.score
+    return [
+        defused(mark.student.id), defused(mark.student.name), mark.lab, _number(raw),
+        _number(None if raw is None or score is None else raw - score), _number(score), _number(OUT_OF),
+        _number(mark.open), defused(mark.late.said), defused("; ".join(mark.notes)),
+    ]  # fmt: skip
+
+
+def for_platform(roster: Roster, marks: Iterable[Mark], lab: str) -> str | None:
+    """The roster's own file with the marks filled in, as Canvas or Moodle takes it back; None for a plain roster."""
+    if roster.kind not in (CANVAS, MOODLE):
+        return None
+    by_id = {mark.student.id: mark for mark in marks}
+    column = _column(roster, lab)
+    header = [*roster.header, *([column] if column not in roster.header else [])]
+    lines, students = [], iter(roster.students)
+    student = next(students, None)
+    for line in roster.lines:
+        cells = [defused(cell) for cell in line] + [""] * (len(header) - len(line))
+        if student and _is_of(line, student, roster):
+            mark = by_id.get(student.id)
+            cells[header.index(column)] = _number(mark.score if mark else None)
+            student = next(students, None)
+        lines.append(cells)
+    return _csv(header, lines)
+
+
+def _column(roster: Roster, lab: str) -> str:
+    """The column of the marks: Moodle's worksheet has one, and Canvas' file one for each assignment."""
+    if roster.kind == MOODLE:
+        return "Grade"
+    return next((name for name in roster.header if lab in name.casefold()), lab)
+
+
+def _is_of(line: Sequence[str], student: Student, roster: Roster) -> bool:
+    wanted = {student.id, *student.keys.get(roster.kind, ())}
+    return any(cell.strip() in wanted or cell.strip().removeprefix("Participant ") in wanted for cell in line)
+
+
+def junit(marks: Iterable[Mark]) -> str:
+    """A suite for each student and a case for each test; the points are properties."""
+    root = ElementTree.Element("testsuites")
+    for mark in marks:
+        suite = ElementTree.SubElement(root, "testsuite", name=_fit(mark.student.id))
+        tests = list(mark.content.get("tests", ())) if mark.content else []
+        suite.set("tests", str(len(tests)))
+        suite.set("failures", str(sum(not test["passed"] for test in tests)))
+        for test in tests:
+            case = ElementTree.SubElement(suite, "testcase", classname=_fit(test["topic"]), name=_fit(test["title"]))
+            values = ElementTree.SubElement(case, "properties")
+            for name in ("got", "possible"):
+                ElementTree.SubElement(values, "property", name=name, value=str(test[name]))
+            if not test["passed"]:
+                ElementTree.SubElement(case, "failure", message=_fit(test["message"] or test["title"]))
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, encoding="unicode", xml_declaration=False) + "\n"
+
+
+def _fit(text: str) -> str:
+    return _NOT_XML.sub("", str(text))
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def _csv(header: Sequence[str], lines: Iterable[Sequence[str]]) -> str:
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(lines)
+    return text.getvalue()
