@@ -232,4 +232,5 @@ def _reader(path: Path, info: zipfile.ZipInfo) -> Callable[[], bytes]:
 
 
 def _is_hidden(name: str) -> bool:
-    return any(part.startswith(".") or part in _NOT_THEIRS for part in PurePosixPath(name).parts)
+    parts = [part for part in PurePosixPath(name).parts if part not in (".", "..")]
+    return any(part.startswith(".") or part in _NOT_THEIRS for part in parts)

@@ -28,8 +28,6 @@ from labs.grading.judging.grade import as_json, read_grade, write_private
 from reference.errors import InvalidInput
 
 STUDENTS, GRADE, MEASURED = "students", "grade.json", "measured.json"
-TRIES = 2
-"""So often a submission is tried whose worker dies."""
 _LOCK = ".grading"
 _SAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _AHEAD = 2
@@ -45,7 +43,7 @@ class Book:
     def place(self, student: str) -> Path:
         """The folder of a student: a name that no file system trips over, and no other student has."""
         safe = _SAFE.sub("-", student).strip(".-")[:60]
-        if safe != student:
+        if safe != student or not safe:
             safe = f"{safe}-{hashlib.sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
         return self.folder / STUDENTS / safe
 
@@ -124,38 +122,41 @@ def run(
     pool: makes the workers, again if one of them dies. A task that was running when a worker died is tried once more,
     by itself, so that it takes no other with it.
     """
-    waiting, alone = iter(tasks), deque[tuple[Task, int]]()
+    waiting, alone = iter(tasks), deque[Task]()
     running: dict[Future[Graded], Task] = {}
-    executor = pool()
+    workers_now = _Pool(pool)
     try:
         while True:
             while len(running) < workers * _AHEAD and (task := next(waiting, None)) is not None:
-                running[executor.submit(grade_one, task)] = task
+                running[workers_now.submit(task)] = task
             if not running:
                 break
-            died = False
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 task = running.pop(future)
                 try:
                     keep(future.result())
                 except BrokenProcessPool:
-                    alone.append((task, 1))
-                    died = True
-            if died:
-                alone.extend((task, 1) for task in running.values())
-                running.clear()
-                executor.shutdown(wait=False, cancel_futures=True)
-                executor = pool()
-        while alone:
-            task, tries = alone.popleft()
+                    alone.append(task)
+        for task in alone:
             try:
-                keep(executor.submit(grade_one, task).result())
+                keep(workers_now.submit(task).result())
             except BrokenProcessPool:
-                executor.shutdown(wait=False, cancel_futures=True)
-                executor = pool()
-                if tries < TRIES:
-                    alone.append((task, tries + 1))
-                else:
-                    failures.said[task.student] = "the process that graded it died twice"
+                failures.said[task.student] = "the process that graded it died twice"
     finally:
-        executor.shutdown(wait=True, cancel_futures=True)
+        workers_now.executor.shutdown(wait=True, cancel_futures=True)
+
+
+class _Pool:
+    """Workers that are made again when one of them has died."""
+
+    def __init__(self, make: Callable[[], Executor]) -> None:
+        self._make, self.executor = make, make()
+
+    def submit(self, task: Task) -> Future[Graded]:
+        """Begin to grade a task."""
+        try:
+            return self.executor.submit(grade_one, task)
+        except BrokenProcessPool:
+            self.executor.shutdown(wait=False, cancel_futures=True)
+            self.executor = self._make()
+            return self.executor.submit(grade_one, task)

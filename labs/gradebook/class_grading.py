@@ -44,7 +44,8 @@ def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
         If there is no such folder, or nothing in it.
     """
     there, unusable = arrivals(folder, lab)
-    found = Class(lab, roster or of_everybody([each.owner for each in (*there, *unusable)]))
+    owners = [*(each.owner for each in there), *(each.owner for each in unusable)]
+    found = Class(lab, roster or of_everybody(dict.fromkeys(owners)))
     for arrival in sorted(there, key=lambda each: each.received.timestamp() if each.received else 0.0):
         student = _student(found, arrival)
         before = found.handed.get(student.id)

@@ -49,9 +49,9 @@ class Mark:
 
 
 def defused(text: str) -> str:
-    """Text that no spreadsheet takes for a formula."""
-    bare = text.replace("\x00", "")
-    return f"'{bare}" if bare.startswith(_FORMULA) else bare
+    """Text on one line that no spreadsheet takes for a formula."""
+    bare = re.sub(r"[\r\n]+", " ", text.replace("\x00", ""))
+    return f"'{bare}" if text.startswith(_FORMULA) else bare
 
 
 def plain_table(marks: Iterable[Mark]) -> str:

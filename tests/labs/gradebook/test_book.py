@@ -1,0 +1,154 @@
+"""Grades of a class in a folder: each once, whole or not at all, whatever stops the run."""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import os
+import signal
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
+
+import pytest
+
+from labs.gradebook import book as book_module
+from labs.gradebook.book import Book, Failures, run
+from labs.gradebook.grading import Graded, Task, identity
+from labs.grading.judging.grade import SCHEMA, VERSION
+from reference.errors import InvalidInput
+
+TASK = Task("4711", "Ada", "impulse", "ada", "impulse.ipynb", b"x = 1", "week 3", 60.0)
+
+
+def graded(task: Task, points: float = 1.0) -> Graded:
+    content = {"schema": SCHEMA, "version": VERSION, "identity": identity(task), "points": points}
+    return Graded(task.student, content, {"seconds": 1.0})
+
+
+@pytest.fixture
+def book(tmp_path):
+    return Book(tmp_path / "grades")
+
+
+def test_a_grade_is_done_while_file_release_and_lab_stay_the_same(book):
+    assert not book.is_done(TASK)
+    book.keep(graded(TASK))
+    assert book.is_done(TASK)
+    for changed in (
+        replace(TASK, content=b"x = 2"),
+        replace(TASK, release="week 4"),
+        replace(TASK, lab="detection"),
+        replace(TASK, seconds=30.0),
+        replace(TASK, student="4712"),
+    ):
+        assert not book.is_done(changed)
+
+
+def test_grades_are_for_their_owner_alone_and_equal_byte_for_byte(book):
+    book.keep(graded(TASK))
+    path = book.place("4711") / "grade.json"
+    first = path.read_bytes()
+    assert path.stat().st_mode & 0o777 == 0o600
+    assert path.parent.stat().st_mode & 0o777 == 0o700
+    book.keep(graded(TASK))
+    assert path.read_bytes() == first
+
+
+@pytest.mark.parametrize("student", ["../../etc", "=cmd|x", "", ".", "a/b", "Zoë", "x" * 300, "a\nb", "nul\x00"])
+def test_a_hostile_name_gets_a_folder_of_its_own_below_the_students(book, student):
+    place = book.place(student)
+    assert place.parent == book.folder / "students"
+    assert place.name not in ("", ".", "..")
+    assert place != book.place(student + " ")
+    place.mkdir(parents=True)
+
+
+def test_half_a_grade_is_no_grade(book):
+    book.keep(graded(TASK))
+    path = book.place("4711") / "grade.json"
+    path.write_text(path.read_text()[:20])
+    assert book.grade_of("4711") is None
+    assert not book.is_done(TASK)
+
+
+def test_a_full_disk_leaves_the_last_good_grade(book, monkeypatch):
+    book.keep(graded(TASK))
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space"):
+        book.keep(graded(replace(TASK, content=b"x = 2"), 2.0))
+    assert book.grade_of("4711")["points"] == 1.0
+    assert sorted(each.name for each in book.place("4711").iterdir()) == ["grade.json", "measured.json"]
+
+
+def test_what_is_left_of_a_student_who_hands_in_nothing_any_more_is_removed(book):
+    for student in ("4711", "4712"):
+        book.keep(graded(replace(TASK, student=student)))
+    book.keep(graded(replace(TASK, student="4713", lab="detection")))
+    assert book.forget_others(["4711"], "impulse") == ["4712"]
+    assert book.grade_of("4711") is not None
+    assert book.grade_of("4712") is None
+    assert book.grade_of("4713") is not None
+
+
+def test_two_graders_on_one_folder_do_not_meet(book):
+    with book.alone(), pytest.raises(InvalidInput, match="somebody else is grading into"), book.alone():
+        pass
+    with book.alone():
+        pass
+
+
+def _by_name(task: Task) -> Graded:
+    """Instead of grading: dies, fails or grades, as the student's number says."""
+    if task.student.startswith("dies"):
+        os.kill(os.getpid(), signal.SIGKILL)
+    return graded(task)
+
+
+@pytest.fixture
+def pool(monkeypatch):
+    """Worker processes that do as the student's number says."""
+    monkeypatch.setattr(book_module, "grade_one", _by_name)
+    return lambda: ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("fork"))
+
+
+def test_a_worker_that_dies_costs_its_own_submission_alone(book, pool):
+    students = [f"{number}" for number in range(20)]
+    students[7:7] = ["dies"]
+    failures = Failures()
+    run((replace(TASK, student=each) for each in students), pool, 2, book.keep, failures)
+    assert failures.said == {"dies": "the process that graded it died twice"}
+    assert {each for each in students if book.grade_of(each)} == {*students} - {"dies"}
+
+
+def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch):
+    read, kept = [], []
+    monkeypatch.setattr(book_module, "grade_one", graded)
+
+    def every():
+        for number in range(50):
+            read.append(number)
+            assert len(read) - len(kept) <= 5
+            yield replace(TASK, student=str(number))
+
+    run(every(), lambda: ThreadPoolExecutor(2), 2, kept.append, Failures())
+    assert len({each.student for each in kept}) == len(kept) == 50
+
+
+def test_an_interruption_ends_the_run_and_keeps_what_was_graded(monkeypatch, book):
+    monkeypatch.setattr(book_module, "grade_one", graded)
+
+    def stop_after_three(each):
+        book.keep(each)
+        if len(list(book.folder.glob("students/*"))) == 3:
+            raise KeyboardInterrupt
+
+    tasks = [replace(TASK, student=str(number)) for number in range(20)]
+    with pytest.raises(KeyboardInterrupt):
+        run(iter(tasks), lambda: ThreadPoolExecutor(1), 1, stop_after_three, Failures())
+    assert sum(book.is_done(each) for each in tasks) == 3
+    for path in book.folder.glob("students/*/grade.json"):
+        assert json.loads(path.read_text())["points"] == 1.0

@@ -1,0 +1,80 @@
+"""How late a submission is, and what that costs, by the rules of a course."""
+
+from __future__ import annotations
+
+from datetime import datetime, timedelta
+
+import pytest
+
+from labs.gradebook.deadlines import read_deadlines
+from reference.errors import CollisionsError
+
+RULES = """\
+[due]
+impulse = 2026-11-30T23:59:00+01:00
+
+[late]
+grace_minutes = 10
+free_days = 1
+percent_per_day = 20
+most_days = 4
+
+[due.students.4711]
+impulse = 2026-12-07T23:59:00+01:00
+"""
+DUE = datetime.fromisoformat("2026-11-30T23:59:00+01:00")
+
+
+@pytest.fixture
+def rules(tmp_path):
+    def read(text: str = RULES):
+        path = tmp_path / "course.toml"
+        path.write_text(text, encoding="utf-8")
+        return read_deadlines(path)
+
+    return read
+
+
+@pytest.mark.parametrize(
+    ("hours", "share", "said"),
+    [
+        (-1, 1.0, ""),
+        (10 / 60, 1.0, ""),
+        (11 / 60, 1.0, "1 day late, 1 of them free"),
+        (24, 1.0, "1 day late, 1 of them free"),
+        (24.1, 0.8, "2 days late, 1 of them free"),
+        (95, 0.4, "4 days late, 1 of them free"),
+        (97, 0.0, "5 days late, 1 of them free"),
+    ],
+)
+def test_each_day_that_has_begun_costs_after_grace_and_free_days(rules, hours, share, said):
+    found = rules().lateness("4712", "impulse", DUE + timedelta(hours=hours))
+    assert (found.share, found.said) == (pytest.approx(share), said)
+
+
+def test_a_student_may_have_a_deadline_of_their_own(rules):
+    assert rules().lateness("4711", "impulse", DUE + timedelta(days=6)).share == 1.0
+    assert rules().lateness("4711", "impulse", DUE + timedelta(days=9)).share == pytest.approx(0.8)
+
+
+def test_where_nobody_knows_when_it_came_nothing_is_taken_off(rules):
+    assert rules().lateness("4712", "impulse", None, called_late=True).share == 1.0
+    assert rules().lateness("4712", "impulse", None, called_late=True).said.startswith("late, says the platform")
+    assert rules().lateness("4712", "detection", DUE + timedelta(days=99)).said == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[due]\nimpulse = 2026-11-30T23:59:00\n", "write it with its zone"),
+        ("[due]\nimpuls = 2026-11-30T23:59:00Z\n", "impuls"),
+        ("[late]\nfree = 2\n", "free"),
+        ("[late]\npercent_per_day = 120\n", "must lie between 0 and 1"),
+        ("[late]\nfree_days = -1\n", "free_days is -1 in the rules; it is a number, 0 or more"),
+        ("late = 3\n", r"it is a table, \[late\]"),
+        ("[due\n", "is no TOML file"),
+    ],
+)
+def test_rules_that_cannot_be_meant_are_refused_by_name(rules, text, said):
+    with pytest.raises(CollisionsError, match=said):
+        rules(text)

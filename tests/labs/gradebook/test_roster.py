@@ -1,0 +1,78 @@
+"""Students of a course, from the files that platforms export, and whose a submission is."""
+
+from __future__ import annotations
+
+import pytest
+from made_rosters import CANVAS_FILE, MOODLE_FILE, PLAIN_FILE
+
+from labs.gradebook.layouts import CANVAS, MOODLE, PLAIN, Owner
+from labs.gradebook.roster import read_roster
+from reference.errors import InvalidInput
+
+
+@pytest.fixture
+def roster(tmp_path):
+    def read(text: str):
+        path = tmp_path / "roster.csv"
+        path.write_text(text, encoding="utf-8-sig")
+        return read_roster(path)
+
+    return read
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "ids"),
+    [
+        (CANVAS_FILE, CANVAS, ["4711", "4712"]),
+        (MOODLE_FILE, MOODLE, ["4711", "32"]),
+        (PLAIN_FILE, PLAIN, ["4711", "4712"]),
+    ],
+)
+def test_a_platforms_own_file_is_known_by_its_columns(roster, text, kind, ids):
+    found = roster(text)
+    assert (found.kind, [each.id for each in found.students]) == (kind, ids)
+
+
+@pytest.mark.parametrize(
+    ("text", "owner"),
+    [
+        (CANVAS_FILE, Owner(CANVAS, "8", "mullerzoe")),
+        (CANVAS_FILE, Owner(PLAIN, "zoe@example.org")),
+        (CANVAS_FILE, Owner(PLAIN, "ZOE  MULLER")),
+        (CANVAS_FILE, Owner(PLAIN, "4712")),
+        (MOODLE_FILE, Owner(MOODLE, "32", "Zoë Müller")),
+        (PLAIN_FILE, Owner(CANVAS, "8")),
+        (PLAIN_FILE, Owner(CANVAS, "99", "mullerzoe")),
+    ],
+)
+def test_a_submission_finds_its_student_by_number_address_or_name(roster, text, owner):
+    student = roster(text).owner(owner)
+    assert student is not None
+    assert student.name in ("Müller, Zoë", "Zoë Müller")
+
+
+def test_a_number_of_one_platform_is_not_that_of_another(roster):
+    found = roster(PLAIN_FILE)
+    assert found.owner(Owner(MOODLE, "7")) is None
+    assert found.owner(Owner(CANVAS, "4713", "somebody")) is None
+
+
+def test_two_students_of_one_name_are_told_apart_by_nothing(roster):
+    found = roster("student_id,name\n1,Ada Lovelace\n2,Ada Lovelace\n")
+    assert found.owner(Owner(PLAIN, "Ada Lovelace")) is None
+    assert found.owner(Owner(PLAIN, "2")).id == "2"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("name,mark\nAda,3\n", "has the columns name, mark; a roster has Student, ID or Identifier, Full name or stud"),
+        ("student_id\n1\n1\n", "has the student '1' twice"),
+        ("student_id,name\n", "names no student"),
+        ('student_id\n"1\n', "is no CSV file"),
+        ("", "has the columns ;"),
+    ],
+)
+def test_a_file_that_is_no_roster_is_refused_by_what_it_has(roster, text, said):
+    with pytest.raises(InvalidInput, match=said):
+        roster(text)
