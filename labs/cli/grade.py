@@ -13,8 +13,9 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors, output
+from labs.gradebook import written
 from labs.gradebook.book import Book, Failures, run
-from labs.gradebook.class_grading import Class, marks, read_class, tasks, write_tables
+from labs.gradebook.class_grading import Class, Marker, answers, marks, read_class, tasks, write_tables
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.grading import Graded, Task
 from labs.gradebook.roster import read_roster
@@ -57,8 +58,12 @@ def grade(
     with folder_for("the grades", out, "--out"), book.alone():
         gone = book.forget_others(found.handed, topic)
         _grade_all(book, found, release, seconds, count, failures)
-        every = marks(found, book, deadlines, failures)
-        written = write_tables(out, found, every)
+        written.write_questions(out, topic, answers(found, book))
+        asked, place = written.questions(topic), out / written.FOLDER
+        first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
+        marker = Marker(book, deadlines, failures, written.Codes(out), asked, first)
+        every = marks(found, marker)
+        tables = write_tables(out, found, every)
     graded = sum(mark.content is not None for mark in every)
     output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
     for student in gone:
@@ -66,7 +71,12 @@ def grade(
     for mark in every:
         if mark.notes:
             output.print(f"{mark.student.id}: {'; '.join(mark.notes)}", markup=False, soft_wrap=True)
-    output.print(f"Marks: {', '.join(str(path) for path in written)}", markup=False, soft_wrap=True)
+    if left := sum(mark.open > 0 for mark in every):
+        said = f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again."
+        output.print(said, markup=False, soft_wrap=True)
+    if said := written.agreement(first, second):
+        output.print(said, markup=False, soft_wrap=True)
+    output.print(f"Marks: {', '.join(str(path) for path in tables)}", markup=False, soft_wrap=True)
     raise typer.Exit(FAILED if failures.said else 0)
 
 

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
+from labs.assessment.shares import QUESTIONS, SHARES
 from labs.gradebook.arrivals import Arrival, Missing, arrivals
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.grading import Task
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.tables import Mark, for_platform, junit, plain_table
+from labs.gradebook.written import Codes, Given, Question, given_to
 from labs.grading.judging.grade import write_private
 
 
@@ -79,33 +82,57 @@ def tasks(found: Class, release: str, seconds: float) -> Iterator[Task]:
         )
 
 
-def marks(found: Class, book: Book, deadlines: Deadlines, failures: Failures) -> list[Mark]:
+@dataclass(frozen=True)
+class Marker:
+    """What the marks of a class are made of besides the submissions: grades, rules, and points given by hand."""
+
+    book: Book
+    deadlines: Deadlines
+    failures: Failures
+    codes: Codes
+    asked: tuple[Question, ...]
+    given: Mapping[tuple[str, str], Given]
+
+    def questions(self, student: str, content: Mapping[str, Any]) -> float | None:
+        """The share of the points of the questions that a student got; None while some are not marked."""
+        got = given_to(student, self.codes, self.asked, self.given, content.get("answers", {}))
+        return None if got is None else got / max(1, sum(question.points for question in self.asked))
+
+
+def answers(found: Class, book: Book) -> dict[str, dict[str, str]]:
+    """By student, what each question got."""
+    grades = {student: book.grade_of(student) for student in found.handed}
+    return {student: dict(content.get("answers", {})) for student, content in grades.items() if content}
+
+
+def marks(found: Class, marker: Marker) -> list[Mark]:
     """What every student gets."""
     known = {student.id for student in found.roster.students}
-    return [_mark(found, student, student.id in known, book, deadlines, failures) for student in found.students]
+    return [_mark(found, student, student.id in known, marker) for student in found.students]
 
 
-def _mark(
-    found: Class, student: Student, on_roster: bool, book: Book, deadlines: Deadlines, failures: Failures
-) -> Mark:
+def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Mark:
     notes = [] if on_roster else ["not on the roster"]
     arrival, missing = found.handed.get(student.id), found.unusable.get(student.id)
     if arrival is None:
         if missing:
             return Mark(student, found.lab, 0.0, notes=(*notes, f"{missing.entry}: {missing.why}"))
         return Mark(student, found.lab, None, notes=(*notes, "nothing handed in"))
-    late = deadlines.lateness(student.id, found.lab, arrival.received, arrival.owner.late)
+    late = marker.deadlines.lateness(student.id, found.lab, arrival.received, arrival.owner.late)
     notes += arrival.notes
-    if student.id in failures.said:
-        return Mark(student, found.lab, None, late=late, notes=(*notes, failures.said[student.id]))
-    content = book.grade_of(student.id)
+    if student.id in marker.failures.said:
+        return Mark(student, found.lab, None, late=late, notes=(*notes, marker.failures.said[student.id]))
+    content = marker.book.grade_of(student.id)
     if content is None:
         return Mark(student, found.lab, None, late=late, notes=(*notes, "not graded yet"))
+    points, left = float(content["points"]), 0.0
     if "unreadable" in content:
         notes.append(str(content["unreadable"]))
-    return Mark(
-        student, found.lab, float(content["points"]), float(content.get("open", 0)), late, content, tuple(notes)
-    )
+    elif (share := marker.questions(student.id, content)) is None:
+        left = SHARES[QUESTIONS]
+    else:
+        points += share * SHARES[QUESTIONS]
+    return Mark(student, found.lab, points, left, late, content, tuple(notes))
 
 
 def write_tables(folder: Path, found: Class, every: Sequence[Mark]) -> list[Path]:

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from labs.building.marking import marks_of
+from labs.gradebook.written import answers_in, questions
 from labs.grading.calling.remote import Grader, Limits
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.judging.grade import SCHEMA, VERSION, grade
@@ -99,7 +100,7 @@ def grade_one(task: Task) -> Graded:
                 kind: {"reached": count.reached, "possible": count.possible} for kind, count in marks.counts.items()
             }
             content["points"] = round(marks.total, 4)
-            content["open"] = round(marks.open, 4)
+            content["answers"] = answers_in(path, [question.key for question in questions(task.lab)])
     measured = {
         "seconds": time.monotonic() - began,
         "processor_seconds": time.process_time() - processor,
