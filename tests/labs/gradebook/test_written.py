@@ -114,5 +114,6 @@ def test_every_tenth_answer_goes_to_a_second_marker_and_their_agreement_is_said(
     first = dict.fromkeys(first, Given(2.0))
     apart = dict(zip(second, (Given(2.0), Given(2.0), Given(3.0), Given(2.5), Given(None)), strict=True))
     assert agreement(first, apart) == (
-        "Two markers agree about 2 of 4 answers; the second gives 0.38 points more on average, and they are at most 1 apart."
+        "Two markers agree about 2 of 4 answers; the second gives 0.38 points more on average,"
+        " and they are at most 1 apart."
     )
