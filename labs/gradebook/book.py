@@ -2,6 +2,7 @@
 
     grades/students/4711/grade.json      what the student's submission earned, and with what it was graded
     grades/students/4711/measured.json   how long it took, and how much memory
+    grades/python/4711.py                the student's own code, for tools that look for copies
 
 A grade counts as done if it has the identity of the submission that is to be graded now: the same file, lab, release
 and versions. Everything else is graded again. What is left of a student who hands in nothing any more is removed.
@@ -27,7 +28,7 @@ from labs.gradebook.grading import Graded, Task, grade_one, identity
 from labs.grading.judging.grade import as_json, read_grade, write_private
 from reference.errors import InvalidInput
 
-STUDENTS, GRADE, MEASURED = "students", "grade.json", "measured.json"
+STUDENTS, PYTHON, GRADE, MEASURED = "students", "python", "grade.json", "measured.json"
 _LOCK = ".grading"
 _SAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _AHEAD = 2
@@ -62,6 +63,8 @@ class Book:
         """Write a grade; what was there before stays until the new one is whole."""
         place = self.place(graded.student)
         place.mkdir(parents=True, exist_ok=True, mode=0o700)
+        (self.folder / PYTHON).mkdir(exist_ok=True, mode=0o700)
+        write_private(self.folder / PYTHON / f"{place.name}.py", graded.code)
         write_private(place / MEASURED, as_json(graded.measured))
         write_private(place / GRADE, as_json(graded.content))
 
@@ -72,6 +75,7 @@ class Book:
             content = _identity(place / GRADE)
             if place not in kept and content.get("lab") == lab:
                 shutil.rmtree(place)
+                (self.folder / PYTHON / f"{place.name}.py").unlink(missing_ok=True)
                 gone.append(str(content.get("student", place.name)))
         return gone
 

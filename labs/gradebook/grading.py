@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from labs.building.marking import marks_of
+from labs.gradebook.similarity import own_code
 from labs.gradebook.written import answers_in, questions
 from labs.grading.calling.remote import Grader, Limits
 from labs.grading.errors import UnreadableSubmission
@@ -47,11 +48,15 @@ class Task:
 
 @dataclass(frozen=True)
 class Graded:
-    """What came of a task. content: of `grade.json`. measured: seconds and memory, which differ from run to run."""
+    """What came of a task. content: of `grade.json`. measured: seconds and memory, which differ from run to run.
+
+    code: of the student's own, without what the lab gives.
+    """
 
     student: str
     content: dict[str, Any]
     measured: dict[str, float]
+    code: str = ""
 
 
 def identity(task: Task) -> dict[str, Any]:
@@ -89,6 +94,7 @@ def grade_one(task: Task) -> Graded:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, Path(task.file).name or "submission.ipynb")
         path.write_bytes(task.content)
+        code = own_code(path, task.lab)
         try:
             found = grade(path, [task.lab], grader=_grader(), seconds=task.seconds)
             marks = marks_of(found.sheet, path, task.lab)
@@ -106,7 +112,7 @@ def grade_one(task: Task) -> Graded:
         "processor_seconds": time.process_time() - processor,
         "memory_kb": float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss),
     }
-    return Graded(task.student, content, measured)
+    return Graded(task.student, content, measured, code)
 
 
 @cache
