@@ -14,8 +14,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from labs.cli.console import errors, output
 from labs.gradebook import written
-from labs.gradebook.book import Book, Failures, run
-from labs.gradebook.class_grading import Class, Marker, answers, marks, read_class, tasks, write_tables
+from labs.gradebook.book import STUDENTS, Book, Failures, run
+from labs.gradebook.class_grading import Class, Marker, answers, marks, read_class, tasks, write_pages, write_tables
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.grading import Graded, Task
 from labs.gradebook.roster import read_roster
@@ -63,7 +63,7 @@ def grade(
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
         marker = Marker(book, deadlines, failures, written.Codes(out), asked, first)
         every = marks(found, marker)
-        tables = write_tables(out, found, every)
+        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker)
     graded = sum(mark.content is not None for mark in every)
     output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
     for student in gone:
@@ -77,6 +77,7 @@ def grade(
     if said := written.agreement(first, second):
         output.print(said, markup=False, soft_wrap=True)
     output.print(f"Marks: {', '.join(str(path) for path in tables)}", markup=False, soft_wrap=True)
+    output.print(f"The class: {page}; each student's page is in {out / STUDENTS}.", markup=False, soft_wrap=True)
     raise typer.Exit(FAILED if failures.said else 0)
 
 

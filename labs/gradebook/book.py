@@ -54,6 +54,13 @@ class Book:
             return read_grade(self.place(student) / GRADE)
         return None
 
+    def seconds(self, student: str) -> float:
+        """How long the grading of a student's submission took, s; 0 if that is not known."""
+        try:
+            return float(json.loads((self.place(student) / MEASURED).read_text(encoding="utf-8"))["seconds"])
+        except (OSError, ValueError, KeyError, TypeError):
+            return 0.0
+
     def is_done(self, task: Task) -> bool:
         """Whether the grade that is there is the one of this submission."""
         found = self.grade_of(task.student)

@@ -12,10 +12,13 @@ from labs.gradebook.arrivals import Arrival, Missing, arrivals
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.grading import Task
+from labs.gradebook.pages import class_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.tables import Mark, for_platform, junit, plain_table
 from labs.gradebook.written import Codes, Given, Question, given_to
 from labs.grading.judging.grade import write_private
+
+FEEDBACK, CLASS = "feedback.html", "class.html"
 
 
 @dataclass
@@ -133,6 +136,20 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     else:
         points += share * SHARES[QUESTIONS]
     return Mark(student, found.lab, points, left, late, content, tuple(notes))
+
+
+def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker) -> Path:
+    """Write a page for each student who handed something in, and that of the class, and say where the latter is."""
+    measured = {}
+    for mark in every:
+        place, code = book.place(mark.student.id), marker.codes(mark.student.id)
+        if mark.content is not None:
+            given = {key: points for (key, each), points in marker.given.items() if each == code}
+            write_private(place / FEEDBACK, student_page(mark, marker.asked, given))
+            measured[code] = book.seconds(mark.student.id)
+    page = book.folder / CLASS
+    write_private(page, class_page(found.lab, every, measured))
+    return page
 
 
 def write_tables(folder: Path, found: Class, every: Sequence[Mark]) -> list[Path]:

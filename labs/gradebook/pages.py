@@ -1,0 +1,146 @@
+"""Pages of a class: one for each student, and one for the instructor that can be shown to the class.
+
+Threat: names, file names and messages are hostile text; templates escape everything. A student's page has nothing of a
+hidden test but what the grade has, which says neither inputs nor expected values. The page of the class has no names.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from labs.assessment.shares import SHARES
+from labs.gradebook.tables import Mark
+from labs.gradebook.written import Given, Question
+from labs.grading.diagnosis.misconceptions import read_bank
+from reference import lecture
+
+WAITS = "waits for another function"
+LOOK = {
+    "right": "right", "one at a time": "right for one case at a time", "unwritten": "not written yet",
+    "calls a wrong function": WAITS, "tested with a wrong function": WAITS,
+    "not tried": "not tried: the time was used up", "too slow": "too slow",
+}  # fmt: skip
+"""Verdicts in words for a student; every other one is `not right yet`."""
+NOT_YET = "not right yet"
+BINS = 10
+"""Of the distribution of points."""
+
+
+@dataclass(frozen=True)
+class Item:
+    """How a class did in one function. share: of the points that were reached. right: students who have it right.
+
+    tells: how far the function separates strong students from weak ones, the correlation of its points with all the
+    others', −1 to 1; None if everybody has the same points.
+    """
+
+    name: str
+    step: int
+    right: int
+    tried: int
+    share: float
+    tells: float | None
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A known mistake, how many students made it, and the wrong formula's description."""
+
+    id: str
+    students: int
+    rationale: str
+
+
+def student_page(
+    mark: Mark, asked: Sequence[Question], given: Mapping[str, Given], contact: str = "your instructor"
+) -> str:
+    """What a student reads. given: by question, the points and comments that a person gave."""
+    content = mark.content or {}
+    kinds = {
+        kind: (found["reached"], found["possible"], SHARES[kind]) for kind, found in content.get("marks", {}).items()
+    }
+    tests = content.get("tests", [])
+    functions = [
+        (each, LOOK.get(each["verdict"], NOT_YET), [test for test in tests if test["function"] == each["name"]])
+        for each in content.get("functions", [])
+    ]
+    return _environment().get_template("student.html.j2").render(
+        mark=mark, title=lecture.topic(mark.lab).title, kinds=kinds, functions=functions, asked=asked, given=given,
+        content=content, contact=contact,
+    )  # fmt: skip
+
+
+def class_page(lab: str, marks: Sequence[Mark], measured: Mapping[str, float]) -> str:
+    """What an instructor reads, and may show: no names. measured: by code of a student, seconds that grading took."""
+    graded = [mark for mark in marks if mark.content and "unreadable" not in mark.content]
+    scores = [mark.raw for mark in graded if mark.raw is not None]
+    bins = Counter(min(BINS - 1, int(score / 100 * BINS)) for score in scores)
+    contents = [mark.content for mark in graded if mark.content]
+    found = items(lab, contents)
+    return _environment().get_template("class.html.j2").render(
+        title=lecture.topic(lab).title, students=len(marks), graded=len(graded), bins=[bins[at] for at in range(BINS)],
+        median=statistics.median(scores) if scores else None, items=found, weakest=weakest(found),
+        mistakes=mistakes(contents),
+        slowest=sorted(measured.items(), key=lambda each: -each[1])[:5],
+    )  # fmt: skip
+
+
+def items(lab: str, contents: Sequence[Mapping[str, Any]]) -> list[Item]:
+    """How the class did in each function of the lab."""
+    found = []
+    for entry in lecture.functions_of(lab):
+        if entry.role != "written":
+            continue
+        mine, others, right, tried = [], [], 0, 0
+        for content in contents:
+            for each in content.get("functions", []):
+                if each["name"] == entry.name and each["possible"]:
+                    mine.append(each["got"] / each["possible"])
+                    others.append(content["got"] - each["got"])
+                    right += each["verdict"] == "right"
+                    tried += each["verdict"] != "unwritten"
+        share = statistics.fmean(mine) if mine else 0.0
+        found.append(Item(entry.name, entry.step, right, tried, share, _correlation(mine, others)))
+    return found
+
+
+def weakest(found: Sequence[Item]) -> Item | None:
+    """What to teach again: the function that the most students tried and did not get right."""
+    return max(
+        (each for each in found if each.tried > each.right), key=lambda each: each.tried - each.right, default=None
+    )
+
+
+def mistakes(contents: Iterable[Mapping[str, Any]]) -> list[Mistake]:
+    """The known mistakes that students made, the most common first. A student counts once for each."""
+    counts = Counter(
+        known
+        for content in contents
+        for each in content.get("functions", [])
+        for known in dict.fromkeys(each["mistakes"])
+    )
+    texts = {entry.id: entry.rationale for entry in read_bank()}
+    return [
+        Mistake(known, count, texts.get(known, ""))
+        for known, count in sorted(counts.items(), key=lambda each: (-each[1], each[0]))
+    ]
+
+
+def _correlation(one: Sequence[float], other: Sequence[float]) -> float | None:
+    if len(one) < 3 or len(set(one)) == 1 or len(set(other)) == 1:
+        return None
+    return statistics.correlation(one, other)
+
+
+def _environment() -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True,
+        undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
