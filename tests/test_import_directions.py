@@ -25,7 +25,10 @@ FLOORS = {
     "reference/published": (
         "jobs", "recorded", "judging", "drivers", "in_engines", "by_hand", "results", "theirs",
     ),
-    "labs": ("notebook", "cli", "desk", "building", "demonstrations", "assessment", "guidance", "grading", "benching"),
+    "labs": (
+        "notebook", "cli", "desk", "gradebook", "building", "demonstrations", "assessment", "guidance", "grading",
+        "benching",
+    ),
     "labs/grading": ("feedback", "judging", "diagnosis", "calling", "submission", "worker"),
 }  # fmt: skip
 """The folders and modules of a package from the top floor down. Each imports only from those below it; modules that
