@@ -71,8 +71,9 @@ def _student(found: Class, entry: Arrival | Missing) -> Student:
     email = entry.email if isinstance(entry, Arrival) else ""
     owner = entry.owner
     student = found.roster.owner(owner, email)
-    if student is None:
-        student = found.strangers.setdefault(owner.key, Student(owner.key, owner.name, email))
+    if student is None:  # a name that no student of the roster has
+        number = f"{owner.platform} {owner.key}"
+        student = found.strangers.setdefault(number, Student(number, owner.name, email))
     return student
 
 

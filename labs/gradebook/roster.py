@@ -17,7 +17,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, PLAIN, Owner
+from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, Owner
 from reference.errors import InvalidInput
 
 MOST_BYTES = 10 * 2**20
@@ -39,22 +39,30 @@ class Student:
 
 @dataclass(frozen=True)
 class Roster:
-    """All students. kind: whose file it was. header, lines: what the file says, to be filled in and given back."""
+    """All students. kind: whose file it was. header, lines: what the file says, to be filled in and given back.
+
+    places: the line of each student, from 0.
+    """
 
     students: tuple[Student, ...]
     kind: str = PLAIN
     header: tuple[str, ...] = ()
     lines: tuple[tuple[str, ...], ...] = field(default=(), repr=False)
+    places: tuple[int, ...] = ()
 
     def owner(self, owner: Owner, email: str = "") -> Student | None:
-        """The student whom a platform's name of a submission means; None if it means nobody, or several."""
-        for wanted in ({owner.key}, {email}, {owner.name}):
-            keys = {plain(key) for key in wanted if key}
-            found = [each for each in self.students if keys & _keys(each, owner.platform)] if keys else []
-            if len(found) == 1:
-                return found[0]
+        """The student whom a platform's name of a submission means; None if it means nobody, or several.
+
+        A number is compared with numbers of the same platform alone: Canvas' number of one student may be the course's
+        number of another. If it is nobody's, the address and the name are tried.
+        """
+        said = [(owner.key, _numbers), (email, _addresses), (owner.name, _names)]
+        if owner.platform in _FREE:
+            said += [(owner.key, _addresses), (owner.key, _names)]
+        for text, of in said:
+            found = [each for each in self.students if plain(text) in of(each, owner.platform)] if text else []
             if found:
-                return None
+                return found[0] if len(found) == 1 else None
         return None
 
 
@@ -84,14 +92,14 @@ def read_roster(path: Path) -> Roster:
         needed = " or ".join(", ".join(needs) for needs in _KINDS.values())
         raise InvalidInput(f"{str(path)!r} has the columns {', '.join(header)}; a roster has {needed}")
     rows = [dict(zip(header, line, strict=False)) for line in lines]
-    students = [_READERS[kind](row) for row in rows if any(row.values())]
-    kept = tuple(each for each in students if each.id and plain(each.name) not in _NO_STUDENT)
-    ids = [each.id for each in kept]
+    read = {place: _READERS[kind](row) for place, row in enumerate(rows) if any(row.values())}
+    kept = {place: each for place, each in read.items() if each.id and plain(each.name) not in _NO_STUDENT}
+    ids = [each.id for each in kept.values()]
     if twice := next((each for each in ids if ids.count(each) > 1), ""):
         raise InvalidInput(f"{str(path)!r} has the student {twice!r} twice")
     if not kept:
         raise InvalidInput(f"{str(path)!r} names no student")
-    return Roster(kept, kind, tuple(header), tuple(map(tuple, lines)))
+    return Roster(tuple(kept.values()), kind, tuple(header), tuple(map(tuple, lines)), tuple(kept))
 
 
 def of_everybody(owners: Iterable[Owner]) -> Roster:
@@ -105,10 +113,23 @@ def plain(text: str) -> str:
     return " ".join(bare.casefold().split())
 
 
-def _keys(student: Student, platform: str) -> set[str]:
-    """By what a platform may call a student: its own numbers, and what every file of it may carry."""
-    own = student.keys.get(platform, frozenset())
-    return {plain(each) for each in (*own, student.id, student.name, student.email, *_turned(student.name)) if each}
+_FREE = (PLAIN, NBGRADER)
+"""Where a folder may have any name: a number, an address, or the student's."""
+_OWN_NUMBERS = (CANVAS, MOODLE)
+"""Platforms whose numbers are not those of the course."""
+
+
+def _numbers(student: Student, platform: str) -> set[str]:
+    own = {student.id} if platform not in _OWN_NUMBERS else set()
+    return {plain(each) for each in (*own, *student.keys.get(platform, ())) if each}
+
+
+def _addresses(student: Student, platform: str) -> set[str]:
+    return {plain(student.email)} - {""}
+
+
+def _names(student: Student, platform: str) -> set[str]:
+    return {plain(each) for each in (student.name, *_turned(student.name)) if each}
 
 
 def _turned(name: str) -> Sequence[str]:
@@ -123,9 +144,9 @@ def _turned(name: str) -> Sequence[str]:
 
 def _of_canvas(row: Mapping[str, str]) -> Student:
     login, number = row.get("SIS Login ID", "").strip(), row.get("ID", "").strip()
-    keys = frozenset({number, login, row.get("SIS User ID", "").strip()} - {""})
-    return Student(row.get("SIS User ID", "").strip() or login or number, row.get("Student", "").strip(),
-                   login if "@" in login else "", {CANVAS: keys, GRADESCOPE: keys})  # fmt: skip
+    others = frozenset({login, row.get("SIS User ID", "").strip()} - {""})
+    email, keys = login if "@" in login else "", {CANVAS: frozenset({number}), GRADESCOPE: others, PLAIN: others}
+    return Student(row.get("SIS User ID", "").strip() or login or number, row.get("Student", "").strip(), email, keys)
 
 
 def _of_moodle(row: Mapping[str, str]) -> Student:
@@ -133,7 +154,7 @@ def _of_moodle(row: Mapping[str, str]) -> Student:
     number = found[1] if found else ""
     own = row.get("ID number", "").strip()
     return Student(own or number, row.get("Full name", "").strip(), row.get("Email address", "").strip(),
-                   {MOODLE: frozenset({number, own} - {""})})  # fmt: skip
+                   {MOODLE: frozenset({number} - {""})})  # fmt: skip
 
 
 def _of_ours(row: Mapping[str, str]) -> Student:

@@ -75,15 +75,10 @@ def for_platform(roster: Roster, marks: Iterable[Mark], lab: str) -> str | None:
     by_id = {mark.student.id: mark for mark in marks}
     column = _column(roster, lab)
     header = [*roster.header, *([column] if column not in roster.header else [])]
-    lines, students = [], iter(roster.students)
-    student = next(students, None)
-    for line in roster.lines:
-        cells = [defused(cell) for cell in line] + [""] * (len(header) - len(line))
-        if student and _is_of(line, student, roster):
-            mark = by_id.get(student.id)
-            cells[header.index(column)] = _number(mark.score if mark else None)
-            student = next(students, None)
-        lines.append(cells)
+    lines = [[defused(cell) for cell in line] + [""] * (len(header) - len(line)) for line in roster.lines]
+    for place, student in zip(roster.places, roster.students, strict=True):
+        mark = by_id.get(student.id)
+        lines[place][header.index(column)] = _number(mark.score if mark else None)
     return _csv(header, lines)
 
 
@@ -92,11 +87,6 @@ def _column(roster: Roster, lab: str) -> str:
     if roster.kind == MOODLE:
         return "Grade"
     return next((name for name in roster.header if lab in name.casefold()), lab)
-
-
-def _is_of(line: Sequence[str], student: Student, roster: Roster) -> bool:
-    wanted = {student.id, *student.keys.get(roster.kind, ())}
-    return any(cell.strip() in wanted or cell.strip().removeprefix("Participant ") in wanted for cell in line)
 
 
 def junit(marks: Iterable[Mark]) -> str:

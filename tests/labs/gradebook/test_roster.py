@@ -57,6 +57,15 @@ def test_a_number_of_one_platform_is_not_that_of_another(roster):
     assert found.owner(Owner(CANVAS, "4713", "somebody")) is None
 
 
+def test_canvas_number_of_one_student_is_not_the_course_number_of_another(roster):
+    crossed = roster("Student,ID,SIS User ID,SIS Login ID\nAda,7,8,a\nBob,8,7,b\n")
+    assert crossed.owner(Owner(CANVAS, "7")).name == "Ada"
+    assert crossed.owner(Owner(CANVAS, "8")).name == "Bob"
+    assert crossed.owner(Owner(PLAIN, "8")).name == "Ada"
+    plain = roster("student_id,name\n7,Ada\n")
+    assert plain.owner(Owner(CANVAS, "7", "bob")) is None
+
+
 def test_two_students_of_one_name_are_told_apart_by_nothing(roster):
     found = roster("student_id,name\n1,Ada Lovelace\n2,Ada Lovelace\n")
     assert found.owner(Owner(PLAIN, "Ada Lovelace")) is None
