@@ -21,16 +21,19 @@ from reference.errors import CollisionsError
 
 INTERRUPTED = 130
 COMMANDS = ("check", "grade", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
-"""Each is a function of the same name in a module of the same name. A student's tree has no `grade`."""
+"""Each is a function of the same name in a module of the same name."""
 GROUPS = ("lab",)
-"""Modules with several commands in their `app`. A student's tree has none: there is nothing to build from."""
+"""Modules with several commands in their `app`."""
+FOR_INSTRUCTORS = ("grade", "lab")
+"""What a student's tree lacks: there is nothing to build from, and no hidden test."""
 
 
 class _Commands(TyperGroup):
     """Loads only the command that is run, and turns errors of the lab into a message and an exit code."""
 
     def list_commands(self, _: Any) -> list[str]:
-        return [name for name in (*COMMANDS, *GROUPS) if importlib.util.find_spec(f"labs.cli.{name}")]
+        missing = [name for name in FOR_INSTRUCTORS if not importlib.util.find_spec(f"labs.cli.{name}")]
+        return [name for name in (*COMMANDS, *GROUPS) if name not in missing]
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
         if cmd_name not in self.list_commands(ctx):
