@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 from collections.abc import Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
 from typing import Annotated
 
@@ -17,10 +15,12 @@ from labs.gradebook import written
 from labs.gradebook.book import STUDENTS, Book, Failures, run
 from labs.gradebook.class_grading import Class, Marker, answers, marks, read_class, tasks, write_pages, write_tables
 from labs.gradebook.deadlines import Deadlines, read_deadlines
-from labs.gradebook.grading import Graded, Task
+from labs.gradebook.grading import Graded, Task, versions
 from labs.gradebook.roster import read_roster
+from labs.gradebook.workers import Workers, here, on_cluster
 from labs.grading.budget import SECONDS
 from reference import lecture
+from reference.errors import InvalidInput
 from reference.writable import folder_for
 
 FAILED = 1
@@ -46,6 +46,10 @@ def grade(
     workers: Annotated[
         int | None, typer.Option("--jobs", "-j", min=1, help="Submissions at a time; by default one per processor.")
     ] = None,
+    cluster: Annotated[
+        str | None,
+        typer.Option(metavar="ADDRESS", help="Grade on a Dask cluster: tcp://host:8786, or local:4 to start one here."),
+    ] = None,
 ) -> None:
     """Grade a class. A run that was stopped continues where it was; only what has changed is graded again.
 
@@ -54,10 +58,11 @@ def grade(
     topic = lecture.topic(lab).name
     found = read_class(folder, topic, read_roster(roster) if roster else None)
     deadlines = read_deadlines(rules) if rules else Deadlines()
-    count, failures, book = workers or os.cpu_count() or 1, Failures(), Book(out)
-    with folder_for("the grades", out, "--out"), book.alone():
+    failures, book = Failures(), Book(out)
+    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
+    with machines as graders, folder_for("the grades", out, "--out"), book.alone():
         gone = book.forget_others(found.handed, topic)
-        _grade_all(book, found, release, seconds, count, failures)
+        _grade_all(book, found, release, seconds, graders, failures)
         written.write_questions(out, topic, answers(found, book))
         asked, place = written.questions(topic), out / written.FOLDER
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
@@ -81,7 +86,8 @@ def grade(
     raise typer.Exit(FAILED if failures.said else 0)
 
 
-def _grade_all(book: Book, found: Class, release: str, seconds: float, count: int, failures: Failures) -> None:
+def _grade_all(book: Book, found: Class, release: str, seconds: float, graders: Workers, failures: Failures) -> None:
+    expected = versions(found.lab)
     columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=errors, transient=True) as progress:
         bar = progress.add_task("", total=len(found.handed))
@@ -94,11 +100,9 @@ def _grade_all(book: Book, found: Class, release: str, seconds: float, count: in
                     yield task
 
         def keep(graded: Graded) -> None:
+            if graded.content["identity"]["versions"] != expected:
+                raise InvalidInput("a worker has other versions of the lab or its packages than this machine")
             book.keep(graded)
             progress.advance(bar)
 
-        run(todo(), lambda: _pool(count), count, keep, failures)
-
-
-def _pool(count: int) -> Executor:
-    return ProcessPoolExecutor(count, mp_context=multiprocessing.get_context("spawn"))
+        run(todo(), graders, keep, failures)

@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
+from labs.gradebook.workers import Workers, lost
 from labs.grading.judging.grade import as_json, read_grade, write_private
 from reference.errors import InvalidInput
 
@@ -123,22 +124,21 @@ class Failures:
 
 def run(
     tasks: Iterable[Task],
-    pool: Callable[[], Executor],
-    workers: int,
+    workers: Workers,
     keep: Callable[[Graded], None],
     failures: Failures,
 ) -> None:
     """Grade tasks in worker processes, each once; `keep` gets every grade as soon as it is there.
 
-    pool: makes the workers, again if one of them dies. A task that was running when a worker died is tried once more,
-    by itself, so that it takes no other with it.
+    A task that was running when a worker died is tried once more, by itself, so that it takes no other with it.
     """
+    dead = lost()
     waiting, alone = iter(tasks), deque[Task]()
     running: dict[Future[Graded], Task] = {}
-    workers_now = _Pool(pool)
+    workers_now = _Pool(workers.pool)
     try:
         while True:
-            while len(running) < workers * _AHEAD and (task := next(waiting, None)) is not None:
+            while len(running) < workers.count * _AHEAD and (task := next(waiting, None)) is not None:
                 running[workers_now.submit(task)] = task
             if not running:
                 break
@@ -146,15 +146,17 @@ def run(
                 task = running.pop(future)
                 try:
                     keep(future.result())
-                except BrokenProcessPool:
+                except dead:
                     alone.append(task)
         for task in alone:
             try:
                 keep(workers_now.submit(task).result())
-            except BrokenProcessPool:
+            except dead:
                 failures.said[task.student] = "the process that graded it died twice"
     finally:
-        workers_now.executor.shutdown(wait=True, cancel_futures=True)
+        for future in running:
+            future.cancel()
+        workers_now.executor.shutdown(wait=True)
 
 
 class _Pool:
@@ -168,6 +170,6 @@ class _Pool:
         try:
             return self.executor.submit(grade_one, task)
         except BrokenProcessPool:
-            self.executor.shutdown(wait=False, cancel_futures=True)
+            self.executor.shutdown(wait=False)
             self.executor = self._make()
             return self.executor.submit(grade_one, task)

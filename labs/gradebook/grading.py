@@ -13,6 +13,7 @@ import importlib.metadata
 import platform
 import resource
 import tempfile
+import threading
 import time
 from dataclasses import dataclass
 from functools import cache
@@ -87,8 +88,17 @@ def versions(lab: str) -> dict[str, str]:
     }
 
 
+_ONE_AT_A_TIME = threading.Lock()
+"""Of a worker with several threads: pytest runs once in a process."""
+
+
 def grade_one(task: Task) -> Graded:
     """Grade a submission; one that cannot be read earns nothing, and says why."""
+    with _ONE_AT_A_TIME:
+        return _grade(task)
+
+
+def _grade(task: Task) -> Graded:
     began, processor = time.monotonic(), time.process_time()
     content: dict[str, Any] = {"schema": SCHEMA, "version": VERSION, "identity": identity(task)}
     with tempfile.TemporaryDirectory() as folder:

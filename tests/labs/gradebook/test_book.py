@@ -14,6 +14,7 @@ import pytest
 from labs.gradebook import book as book_module
 from labs.gradebook.book import Book, Failures, run
 from labs.gradebook.grading import Graded, Task, identity
+from labs.gradebook.workers import Workers
 from labs.grading.judging.grade import SCHEMA, VERSION
 from reference.errors import InvalidInput
 
@@ -119,7 +120,7 @@ def test_a_worker_that_dies_costs_its_own_submission_alone(book, pool):
     students = [f"{number}" for number in range(20)]
     students[7:7] = ["dies"]
     failures = Failures()
-    run((replace(TASK, student=each) for each in students), pool, 2, book.keep, failures)
+    run((replace(TASK, student=each) for each in students), Workers(2, pool), book.keep, failures)
     assert failures.said == {"dies": "the process that graded it died twice"}
     assert {each for each in students if book.grade_of(each)} == {*students} - {"dies"}
 
@@ -134,7 +135,7 @@ def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch
             assert len(read) - len(kept) <= 5
             yield replace(TASK, student=str(number))
 
-    run(every(), lambda: ThreadPoolExecutor(2), 2, kept.append, Failures())
+    run(every(), Workers(2, lambda: ThreadPoolExecutor(2)), kept.append, Failures())
     assert len({each.student for each in kept}) == len(kept) == 50
 
 
@@ -148,7 +149,7 @@ def test_an_interruption_ends_the_run_and_keeps_what_was_graded(monkeypatch, boo
 
     tasks = [replace(TASK, student=str(number)) for number in range(20)]
     with pytest.raises(KeyboardInterrupt):
-        run(iter(tasks), lambda: ThreadPoolExecutor(1), 1, stop_after_three, Failures())
+        run(iter(tasks), Workers(1, lambda: ThreadPoolExecutor(1)), stop_after_three, Failures())
     assert sum(book.is_done(each) for each in tasks) == 3
     for path in book.folder.glob("students/*/grade.json"):
         assert json.loads(path.read_text())["points"] == 1.0
