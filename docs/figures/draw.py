@@ -3,7 +3,7 @@
 Each topic has one or more files `figures_….py` beside this one, each with a table `FIGURES`: (statement, name) → a
 function that draws on a matplotlib `Figure`. Its docstring is the caption. They go into the folder `statements`. The
 figures of the findings about the engines are in `findings.py` and go into the folder `engines`. The labs' own figures
-are in `lab_figures.py` and go into `labs/figures`, or into the folder `labs` of another one.
+are in the files `lab_figures….py` and go into `labs/figures`, or into the folder `labs` of another one.
 """
 
 from __future__ import annotations
@@ -48,7 +48,9 @@ def findings() -> dict[str, Draw]:
 
 def lab_figures() -> dict[str, Draw]:
     """The drawn figures of the labs, by name."""
-    found: dict[str, Draw] = _loaded(HERE / "lab_figures.py").LAB_FIGURES
+    found: dict[str, Draw] = {}
+    for path in sorted(HERE.glob("lab_figures*.py")):
+        found |= _loaded(path).LAB_FIGURES
     return found
 
 
