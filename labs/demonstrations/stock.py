@@ -1,0 +1,105 @@
+"""Engines as they come, for a notebook: their replay and numbers from recordings, and the ways of bodies from above.
+
+`lab.run` has tuned engines. A lesson shows stock ones with this module where their defaults are the story.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from labs.desk.case_runs import CaseRuns
+from labs.desk.display import DPI, Picture, Replay
+from labs.desk.tables import tables
+from reference.arrays import Array
+from reference.catalogue.scenarios import find
+from reference.engines.profiles import STOCK
+from reference.errors import InvalidInput
+from reference.recording.reading import recall
+from reference.report import figures
+from reference.report.replays import case_clip
+from reference.running.study import plan
+from reference.viewer import page
+from reference.viewer.tracks import unpack
+
+STROKES = ("-", "--", ":", "-.")
+MARKERS = ("o", "s", "^", "D", "v", "P")
+
+
+@dataclass(frozen=True)
+class StockRuns:
+    """Recorded runs of one case in stock engines. quantities: the numbers that a table shows."""
+
+    runs: CaseRuns
+    quantities: tuple[str, ...]
+
+    def way(self, engine: str) -> Array:
+        """Where the moving body's centre is from above, from its start, (n, 2), m."""
+        found = {line.result.job.engine: line.result for line in self.runs.lines}
+        if engine not in found:
+            raise InvalidInput(f"{engine!r} is none of these runs: {', '.join(found)}")
+        (track,) = found[engine].poses
+        places = unpack(track, engine).positions[:, 0, :2]
+        return np.asarray(places - places[0])
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        table = tables(self.runs, self.quantities)._repr_mimebundle_()
+        title = f"{self.runs.title}: engines as they come"
+        clip = case_clip(self.runs.case, self.runs.lines, title, all_shown=True)
+        if clip is None:
+            return table
+        shown = Replay(page.frame(clip), f"[replay: {', '.join(line.title for line in self.runs.lines)}]")
+        return {
+            "text/plain": f"{shown.text}\n{table['text/plain']}",
+            "text/html": f'<div style="max-width:640px">{shown.markup}</div>{table["text/html"]}',
+        }
+
+
+def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str]) -> StockRuns:
+    """Recorded runs of stock engines.
+
+    case: `family/case`. engines: such as `("mujoco", "dart")`.
+
+    Raises
+    ------
+    InvalidInput, UnknownName
+        If there is no such case, engine or quantity, or an engine has no recording of it.
+    """
+    family, chosen = find(case)
+    if chosen is None:
+        raise InvalidInput(f"{case!r} names no case: give family/case, such as {family.name}/{family.curve.case}")
+    for name in quantities:
+        family.quantity(name)
+    results = []
+    for engine in engines:
+        (job,) = plan([family], [engine], [STOCK], {family.name: (chosen.name,)})
+        result = recall(replace(job, with_poses=True, with_curve=True))
+        if result is None or not result.poses:
+            raise InvalidInput(f"{engine}: no recording of {case} as it comes")
+        results.append(result)
+    return StockRuns(CaseRuns(family, chosen, tuple(results)), tuple(quantities))
+
+
+def from_above(ways: Mapping[str, Array]) -> Picture:
+    """Draw ways over the floor, (n, 2) or (n, 3) each, m, by name; a marker of its own at each end."""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    with matplotlib.rc_context(figures.STYLE):
+        figure = Figure(figsize=(figures.WIDTH, figures.HEIGHT), layout="constrained", dpi=DPI)
+        axes = figure.add_subplot()
+        for place, (name, way) in enumerate(ways.items()):
+            points = np.asarray(way, dtype=float)[:, :2]
+            (line,) = axes.plot(points[:, 0], points[:, 1], STROKES[place % len(STROKES)], label=name)
+            last = MARKERS[place % len(MARKERS)]
+            axes.plot(*points[-1], last, color=line.get_color(), mfc="none", markersize=9)
+        axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title="from above")
+        figure.legend(loc="outside lower left", ncols=2, handlelength=3)
+        content = io.BytesIO()
+        figure.savefig(content, format="png")
+    ends = "; ".join(f"{name} ends at ({way[-1][0]:.3f}, {way[-1][1]:.3f}) m" for name, way in ways.items())
+    return Picture(content.getvalue(), f"[from above: {ends}]")
