@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labs.demonstrations.stock import as_they_come, from_above
+from labs.desk.stock import as_they_come, from_above
 from reference import friction_truth
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.scenario import GRAVITY
