@@ -61,7 +61,7 @@ def grade(
     failures, book = Failures(), Book(out)
     machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
     with machines as graders, folder_for("the grades", out, "--out"), book.alone():
-        gone = book.forget_others(found.handed, topic)
+        gone = book.withdraw_others(found.handed, topic)
         _grade_all(book, found, release, seconds, graders, failures)
         written.write_questions(out, topic, answers(found, book))
         asked, place = written.questions(topic), out / written.FOLDER
@@ -72,7 +72,9 @@ def grade(
     graded = sum(mark.content is not None for mark in every)
     output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
     for student in gone:
-        output.print(f"The grade of {student} is removed: nothing is handed in any more.", markup=False, soft_wrap=True)
+        output.print(
+            f"The grade of {student} is put away: nothing is handed in any more.", markup=False, soft_wrap=True
+        )
     for mark in every:
         if mark.notes:
             output.print(f"{mark.student.id}: {'; '.join(mark.notes)}", markup=False, soft_wrap=True)

@@ -5,7 +5,8 @@
     grades/python/4711.py                the student's own code, for tools that look for copies
 
 A grade counts as done if it has the identity of the submission that is to be graded now: the same file, lab, release
-and versions. Everything else is graded again. What is left of a student who hands in nothing any more is removed.
+and versions. Everything else is graded again. The grade of a student who hands in nothing any more is put away, into
+`withdrawn/`: perhaps the command was given the wrong folder.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from labs.gradebook.workers import Workers, lost
 from labs.grading.judging.grade import as_json, read_grade, write_private
 from reference.errors import InvalidInput
 
-STUDENTS, PYTHON, GRADE, MEASURED = "students", "python", "grade.json", "measured.json"
+STUDENTS, WITHDRAWN, PYTHON, GRADE, MEASURED = "students", "withdrawn", "python", "grade.json", "measured.json"
 _LOCK = ".grading"
 _SAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _AHEAD = 2
@@ -76,13 +77,16 @@ class Book:
         write_private(place / MEASURED, as_json(graded.measured))
         write_private(place / GRADE, as_json(graded.content))
 
-    def forget_others(self, students: Iterable[str], lab: str) -> list[str]:
-        """Remove the grades of a lab of students who hand in nothing any more, and say whose they were."""
+    def withdraw_others(self, students: Iterable[str], lab: str) -> list[str]:
+        """Put away the grades of a lab of students who hand in nothing any more, and say whose they were."""
         kept, gone = {self.place(each) for each in students}, []
         for place in sorted(self.folder.glob(f"{STUDENTS}/*")):
             content = _identity(place / GRADE)
             if place not in kept and content.get("lab") == lab:
-                shutil.rmtree(place)
+                away = self.folder / WITHDRAWN
+                away.mkdir(exist_ok=True, mode=0o700)
+                shutil.rmtree(away / place.name, ignore_errors=True)
+                place.rename(away / place.name)
                 (self.folder / PYTHON / f"{place.name}.py").unlink(missing_ok=True)
                 gone.append(str(content.get("student", place.name)))
         return gone

@@ -125,7 +125,16 @@ def write_questions(folder: Path, lab: str, answers: Mapping[str, Mapping[str, s
     sample = [line for number, line in enumerate(lines) if number % SAMPLE == 0]
     for name, each in ((POINTS, lines), (SECOND, sample)):
         before = read_points(place / name, asked)
-        write_private(place / name, _table(each, before))
+        write_private(place / name, _table([*each, *_kept(before, each, asked)], before))
+
+
+def _kept(
+    before: Mapping[tuple[str, str], Given], lines: Sequence[tuple[str, str, int]], asked: Sequence[Question]
+) -> list[tuple[str, str, int]]:
+    """Lines that somebody has filled in for answers that are not there this time, as in a run on another folder."""
+    there, possible = {line[:2] for line in lines}, {question.key: question.points for question in asked}
+    filled = [key for key, given in before.items() if given.points is not None or given.comment]
+    return [(question, code, possible[question]) for question, code in filled if (question, code) not in there]
 
 
 def _table(lines: Sequence[tuple[str, str, int]], before: Mapping[tuple[str, str], Given]) -> str:

@@ -15,7 +15,7 @@ from labs.gradebook import book as book_module
 from labs.gradebook.book import Book, Failures, run
 from labs.gradebook.grading import Graded, Task, identity
 from labs.gradebook.workers import Workers
-from labs.grading.judging.grade import SCHEMA, VERSION
+from labs.grading.judging.grade import SCHEMA, VERSION, read_grade
 from reference.errors import InvalidInput
 
 TASK = Task("4711", "Ada", "impulse", "ada", "impulse.ipynb", b"x = 1", "week 3", 60.0)
@@ -85,11 +85,12 @@ def test_a_full_disk_leaves_the_last_good_grade(book, monkeypatch):
     assert sorted(each.name for each in book.place("4711").iterdir()) == ["grade.json", "measured.json"]
 
 
-def test_what_is_left_of_a_student_who_hands_in_nothing_any_more_is_removed(book):
+def test_the_grade_of_a_student_who_hands_in_nothing_any_more_is_put_away(book):
     for student in ("4711", "4712"):
         book.keep(graded(replace(TASK, student=student)))
     book.keep(graded(replace(TASK, student="4713", lab="detection")))
-    assert book.forget_others(["4711"], "impulse") == ["4712"]
+    assert book.withdraw_others(["4711"], "impulse") == ["4712"]
+    assert read_grade(book.folder / "withdrawn" / "4712" / "grade.json")["points"] == 1.0
     assert book.grade_of("4711") is not None
     assert book.grade_of("4712") is None
     assert book.grade_of("4713") is not None

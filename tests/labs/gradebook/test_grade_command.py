@@ -70,7 +70,7 @@ def test_a_class_is_graded_once_and_only_what_changed_is_graded_again(handed_in)
     (handed_in / "submissions" / "mallory_66_24_impulse.ipynb").unlink()
     again = grade(handed_in)
     assert again.code == 0, again.error
-    assert "The grade of Canvas 66 is removed: nothing is handed in any more." in again.output
+    assert "The grade of Canvas 66 is put away: nothing is handed in any more." in again.output
     changed = [path.parent.name for path in paths if path.exists() and path.stat().st_mtime_ns != before[path][1]]
     assert changed == ["4713"]
     content = json.loads((handed_in / "grades" / "students" / "4713" / "grade.json").read_text(encoding="utf-8"))

@@ -77,6 +77,9 @@ def test_what_a_marker_filled_in_comes_back_and_is_never_overwritten(folder):
         assert found[KEYS[0], codes("7")] == Given(2.5, "=well, “seen”")
         assert found[KEYS[1], codes("7")] == Given(None, "")
         assert (KEYS[1], codes("3")) not in found  # nothing was answered there
+    write_questions(folder.parent, "impulse", {"1": ANSWERS["1"]})  # the wrong folder: only one student is in it
+    write_questions(folder.parent, "impulse", ANSWERS)
+    assert read_points(folder / POINTS, ASKED) == found
 
 
 def test_points_count_once_every_answer_of_a_student_is_marked(folder):
