@@ -8,10 +8,10 @@ on the machine and the moment, time and memory, is returned apart from it.
 from __future__ import annotations
 
 import atexit
+import contextlib
 import hashlib
 import importlib.metadata
 import platform
-import resource
 import tempfile
 import threading
 import time
@@ -120,8 +120,11 @@ def _grade(task: Task) -> Graded:
     measured = {
         "seconds": time.monotonic() - began,
         "processor_seconds": time.process_time() - processor,
-        "memory_kb": float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss),
     }
+    with contextlib.suppress(ImportError):  # Windows has none
+        import resource  # noqa: PLC0415
+
+        measured["memory_kb"] = float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
     return Graded(task.student, content, measured, code)
 
 
