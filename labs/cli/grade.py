@@ -19,6 +19,7 @@ from labs.gradebook.grading import Graded, Task, versions
 from labs.gradebook.roster import read_roster
 from labs.gradebook.workers import Workers, here, on_cluster
 from labs.grading.budget import SECONDS
+from labs.grading.safe_text import one_line
 from reference import lecture
 from reference.errors import InvalidInput
 from reference.writable import folder_for
@@ -73,11 +74,13 @@ def grade(
     output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
     for student in gone:
         output.print(
-            f"The grade of {student} is put away: nothing is handed in any more.", markup=False, soft_wrap=True
+            f"The grade of {one_line(student)} is put away: nothing is handed in any more.",
+            markup=False,
+            soft_wrap=True,
         )
     for mark in every:
         if mark.notes:
-            output.print(f"{mark.student.id}: {'; '.join(mark.notes)}", markup=False, soft_wrap=True)
+            output.print(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"), markup=False, soft_wrap=True)
     if left := sum(mark.open > 0 for mark in every):
         said = f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again."
         output.print(said, markup=False, soft_wrap=True)

@@ -99,6 +99,11 @@ def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
     return [each for each in last if isinstance(each, Arrival)], [each for each in last if isinstance(each, Missing)]
 
 
+def _shown(name: str) -> str:
+    """A name of the file system as text: bytes that are no UTF-8 become escapes."""
+    return name.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")
+
+
 def _with_students(folder: Path) -> Path:
     """The folder that has an entry for each student: nbgrader's is one below."""
     if not folder.is_dir():
@@ -126,7 +131,7 @@ def _may_be_submission(entry: Path) -> bool:
 
 def _owners(entry: Path, known: dict[str, list[Submitter]]) -> Iterator[tuple[Owner, Submitter | None]]:
     """Whose an entry is: a submission of a group belongs to each of its members."""
-    owner = owner_of(entry.name)
+    owner = owner_of(_shown(entry.name))
     if owner.platform != GRADESCOPE or not known.get(owner.key):
         yield owner, None
         return
@@ -137,27 +142,27 @@ def _owners(entry: Path, known: dict[str, list[Submitter]]) -> Iterator[tuple[Ow
 def _arrival(entry: Path, owner: Owner, lab: str) -> Arrival | Missing:
     """The file of an entry that is graded, or why there is none."""
     if entry.is_symlink():
-        return Missing(owner, entry.name, "it is a link, which is not followed")
+        return Missing(owner, _shown(entry.name), "it is a link, which is not followed")
     try:
         files = list(_files(entry))
     except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError) as error:
-        return Missing(owner, entry.name, f"it cannot be opened: {one_line(str(error))}")
+        return Missing(owner, _shown(entry.name), f"it cannot be opened: {one_line(str(error))}")
     nbgrader = next((each for each in files if PurePosixPath(each.name).name == TIMESTAMP), None)
     candidates = [each for each in files if each.name.lower().endswith((".ipynb", ".py"))]
     wanted = sorted(candidates, key=lambda each: (_rank(each.name, lab), each.name))
     if not wanted:
-        return Missing(owner, entry.name, "it holds neither a notebook nor a .py file")
+        return Missing(owner, _shown(entry.name), "it holds neither a notebook nor a .py file")
     best = [each for each in wanted if _rank(each.name, lab) == _rank(wanted[0].name, lab)]
     if _rank(best[0].name, lab) == _ANY and len(best) > 1:
-        return Missing(owner, entry.name, f"it holds {_some(best)}, and none is named {lab}")
+        return Missing(owner, _shown(entry.name), f"it holds {_some(best)}, and none is named {lab}")
     chosen = best[0]
     notes = (f"it holds {_some(best)}; {chosen.name} is graded",) if len(best) > 1 else ()
     if chosen.size > FILE_LIMIT:
-        return Missing(owner, entry.name, f"{chosen.name} has {chosen.size / 2**20:.0f} MB, more than 10")
+        return Missing(owner, _shown(entry.name), f"{chosen.name} has {chosen.size / 2**20:.0f} MB, more than 10")
     if nbgrader and owner.platform == PLAIN:
         owner = replace(owner, platform=NBGRADER)
     received = moment(nbgrader.read().decode("utf-8", "replace")) if nbgrader and nbgrader.size < FILE_LIMIT else None
-    return Arrival(owner, entry.name, chosen.name, chosen.read, received, notes=notes)
+    return Arrival(owner, _shown(entry.name), chosen.name, chosen.read, received, notes=notes)
 
 
 _ANY = 4
@@ -195,8 +200,8 @@ def _files(entry: Path) -> Iterator[_File]:
     elif entry.suffix.lower() == ".zip":
         yield from _in_archive(entry)
     else:
-        owner = owner_of(entry.name)
-        name = owner.file if owner.platform == CANVAS else entry.name
+        owner = owner_of(_shown(entry.name))
+        name = owner.file if owner.platform == CANVAS else _shown(entry.name)
         yield _File(name, entry.stat().st_size, entry.read_bytes)
 
 
@@ -205,7 +210,7 @@ def _in_folder(folder: Path) -> Iterator[_File]:
     while waiting:
         for path in sorted(waiting.pop().iterdir()):
             seen += 1
-            name = path.relative_to(folder).as_posix()
+            name = _shown(path.relative_to(folder).as_posix())
             if seen > MOST_FILES or path.is_symlink() or _is_hidden(name):
                 continue
             if path.is_dir() and len(PurePosixPath(name).parts) < DEEPEST:

@@ -17,6 +17,7 @@ from xml.etree import ElementTree
 from labs.gradebook.deadlines import Lateness
 from labs.gradebook.layouts import CANVAS, MOODLE
 from labs.gradebook.roster import Roster, Student
+from labs.grading.safe_text import plain
 
 OUT_OF = 100.0
 """Points of a lab."""
@@ -49,9 +50,9 @@ class Mark:
 
 
 def defused(text: str) -> str:
-    """Text on one line that no spreadsheet takes for a formula."""
-    bare = re.sub(r"[\r\n]+", " ", text.replace("\x00", ""))
-    return f"'{bare}" if text.startswith(_FORMULA) else bare
+    """Text on one line that no spreadsheet takes for a formula, with hidden characters made visible."""
+    bare = re.sub(r"[\r\n]+", " ", plain(text))
+    return f"'{bare}" if text.startswith(_FORMULA) or bare.startswith(_FORMULA) else bare
 
 
 def plain_table(marks: Iterable[Mark]) -> str:

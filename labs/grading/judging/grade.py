@@ -86,10 +86,13 @@ def as_json(content: Mapping[str, Any]) -> str:
 
 
 def write_private(path: Path, text: str) -> None:
-    """Write a file that its owner alone can read, in one go: any reader sees either the old file or the new one."""
+    """Write a file that its owner alone can read, in one go: any reader sees either the old file or the new one.
+
+    Half a character, which a hostile notebook may hold, is written as its escape, which JSON reads as the same.
+    """
     descriptor, name = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.parent)  # of mode 0600
     try:
-        with open(descriptor, "w", encoding="utf-8", newline="") as file:
+        with open(descriptor, "w", encoding="utf-8", errors="backslashreplace", newline="") as file:
             file.write(text)
             file.flush()
             os.fsync(file.fileno())

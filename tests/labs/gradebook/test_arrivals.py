@@ -154,6 +154,16 @@ def test_a_folder_without_submissions_is_refused(tmp_path, name):
         arrivals(tmp_path / (name or "missing"), "impulse")
 
 
+def test_a_name_that_is_no_text_becomes_one(tmp_path):
+    place = os.fsencode(tmp_path) + b"/ada\xff"
+    os.mkdir(place)
+    with open(place + b"/impulse\xfe.py", "w", encoding="utf-8") as file:
+        file.write("x = 1\n")
+    (ada,) = arrivals(tmp_path, "impulse")[0]
+    assert (ada.owner.key, ada.entry, ada.file) == (r"ada\xff", r"ada\xff", r"impulse\xfe.py")
+    assert ada.read() == b"x = 1\n"
+
+
 def test_a_plain_folder_names_its_students(tmp_path):
     put(tmp_path, "ada.py")
     put(tmp_path, "zoë müller/impulse.py")

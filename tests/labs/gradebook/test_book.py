@@ -64,6 +64,13 @@ def test_a_hostile_name_gets_a_folder_of_its_own_below_the_students(book, studen
     place.mkdir(parents=True)
 
 
+def test_half_a_character_in_an_answer_stops_nobodys_grade(book):
+    half = graded(TASK)
+    half.content["answers"] = {"third-law": "half \ud800 of one"}
+    book.keep(replace(half, code="# \ud800\n"))
+    assert book.grade_of("4711")["answers"] == {"third-law": "half \ud800 of one"}
+
+
 def test_half_a_grade_is_no_grade(book):
     book.keep(graded(TASK))
     path = book.place("4711") / "grade.json"
