@@ -33,7 +33,7 @@ from reference.errors import InvalidInput
 
 MOST_FILES, DEEPEST = 500, 6
 """So many files of one entry are looked at, in folders so deep."""
-_NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__")
+_NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
 _SUBMITTED = "submitted"
 """nbgrader's folder of what was handed in."""
 
@@ -86,7 +86,7 @@ def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
     known = _gradescope(folder)
     found: dict[tuple[str, str], list[Arrival | Missing]] = {}
     for entry in sorted(folder.iterdir()):
-        if entry.name.startswith(".") or entry.name in (METADATA, *_NOT_THEIRS) or not _may_be_submission(entry):
+        if entry.name in (METADATA, *_NOT_THEIRS) or not _may_be_submission(entry):
             continue
         for owner, who in _owners(entry, known):
             arrived = _arrival(entry, owner, lab)
@@ -126,7 +126,7 @@ def _gradescope(folder: Path) -> dict[str, list[Submitter]]:
 
 
 def _may_be_submission(entry: Path) -> bool:
-    return entry.is_dir() or entry.suffix.lower() in SUFFIXES
+    return entry.is_dir() or (entry.suffix.lower() in SUFFIXES and not entry.name.startswith("."))
 
 
 def _owners(entry: Path, known: dict[str, list[Submitter]]) -> Iterator[tuple[Owner, Submitter | None]]:
