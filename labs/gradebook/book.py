@@ -26,6 +26,7 @@ from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
 from labs.gradebook.workers import Workers, lost
+from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import as_json, read_grade, write_private
 from reference.errors import InvalidInput
 
@@ -124,7 +125,7 @@ def _identity(path: Path) -> dict[str, Any]:
 
 @dataclass
 class Failures:
-    """Tasks whose worker died each time: the student's number, and what was said."""
+    """Tasks that could not be graded, for no fault of the submission: the student's number, and why."""
 
     said: dict[str, str] = field(default_factory=dict)
 
@@ -155,11 +156,15 @@ def run(
                     keep(future.result())
                 except dead:
                     alone.append(task)
+                except GraderFailed as error:
+                    failures.said[task.student] = str(error)
         for task in alone:
             try:
                 keep(workers_now.submit(task).result())
             except dead:
                 failures.said[task.student] = "the process that graded it died twice"
+            except GraderFailed as error:
+                failures.said[task.student] = str(error)
     finally:
         for future in running:
             future.cancel()

@@ -15,6 +15,7 @@ from labs.gradebook import book as book_module
 from labs.gradebook.book import Book, Failures, run
 from labs.gradebook.grading import Graded, Task, identity
 from labs.gradebook.workers import Workers
+from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import SCHEMA, VERSION, read_grade
 from reference.errors import InvalidInput
 
@@ -114,6 +115,8 @@ def _by_name(task: Task) -> Graded:
     """Instead of grading: dies, fails or grades, as the student's number says."""
     if task.student.startswith("dies"):
         os.kill(os.getpid(), signal.SIGKILL)
+    if task.student.startswith("fails"):
+        raise GraderFailed("no process could be started")
     return graded(task)
 
 
@@ -126,11 +129,14 @@ def pool(monkeypatch):
 
 def test_a_worker_that_dies_costs_its_own_submission_alone(book, pool):
     students = [f"{number}" for number in range(20)]
-    students[7:7] = ["dies"]
+    students[7:7] = ["dies", "fails"]
     failures = Failures()
     run((replace(TASK, student=each) for each in students), Workers(2, pool), book.keep, failures)
-    assert failures.said == {"dies": "the process that graded it died twice"}
-    assert {each for each in students if book.grade_of(each)} == {*students} - {"dies"}
+    assert failures.said == {
+        "dies": "the process that graded it died twice",
+        "fails": "no process could be started",
+    }
+    assert {each for each in students if book.grade_of(each)} == {*students} - {"dies", "fails"}
 
 
 def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch):
