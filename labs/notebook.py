@@ -197,8 +197,9 @@ class Lab(Guiding, Predicting, Questions):
             for value in values:
                 if parameter == sweeps.TIMESTEP:
                     each = replace(request, timestep=value)
-                else:  # the parameter takes the place of a case
-                    each = replace(request, scenario=scenario.partition("/")[0], at={parameter: value})
+                else:  # the parameters take the place of a case
+                    at = sweeps.point(scenario, parameter, value)
+                    each = replace(request, scenario=scenario.partition("/")[0], at=at)
                 cases.append(case_runs.run_case(each, self._student_code()))
                 progress.done(len(cases), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)

@@ -120,6 +120,14 @@ class Sweep:
         return " ".join(part for part in (self.parameter, numbers.digits(self.shown(value), 3), self.unit) if part)
 
 
+def point(scenario: str, parameter: str, value: float) -> dict[str, float]:
+    """Where a run of a sweep is: the value, and the other parameters of the case if the sweep names one."""
+    family, case = find(scenario)
+    names = family.grid.names if family.grid and case else ()
+    others = {name: case.parameters[name] for name in names if name in case.parameters} if case else {}
+    return others | {parameter: value}
+
+
 def values_of(scenario: str, parameter: str, values: Sequence[float] | float = ()) -> list[float]:
     """The values to run: those given, or a selection of the recorded ones.
 

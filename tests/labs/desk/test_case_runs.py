@@ -138,6 +138,11 @@ def test_a_sweep_shows_a_picture_and_a_table_of_every_value(lab, cells, monkeypa
     assert slid
 
 
+def test_a_sweep_over_a_case_keeps_the_other_values_of_that_case():
+    assert sweeps.point("rolling-ball/μ=0.1,θ=5°", "angle", 20.0) == {"friction": 0.1, "angle": 20.0}
+    assert sweeps.point("rolling-ball", "angle", 20.0) == {"angle": 20.0}
+
+
 def test_a_sweep_takes_recorded_values_where_none_are_given():
     values = sweeps.values_of("dropped-ball", "restitution")
     assert 4 <= len(values) <= sweeps.MOST
