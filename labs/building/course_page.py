@@ -37,7 +37,8 @@ def page() -> str:
         missing=_missing(there),
         minutes=_minutes(there),
         spine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in SPINE),
-        only=" ".join(f"--only {name}" for name in SPINE),
+        only=" ".join(f"--only {name}" for name in SPINE if name in there),
+        later=_later([name for name in SPINE if name not in there]),
         first=SPINE[0],
     )
 
@@ -66,6 +67,10 @@ def _minutes(there: Sequence[str]) -> str:
         steps = "; ".join(f"{part.title}: {part.minutes}" for part in parts(read(name)) if part.minutes)
         rows.append(f"| `{name}` | {steps} |")
     return "\n".join(rows)
+
+
+def _later(names: Sequence[str]) -> str:
+    return f" ({' and '.join(f'`{name}`' for name in names)} can be named as soon as it exists)" if names else ""
 
 
 def _missing(there: Sequence[str]) -> str:
@@ -101,8 +106,8 @@ after it.
 collisions lab release --out week-1.zip {only} --through {first}
 ```
 
-writes what the students get in the first week. For the next week, name the next lab in `--through`; the release then
-also has the answers of the labs before it.
+writes what the students get in the first week{later}. For
+the next week, name the next lab in `--through`; the release then also has the answers of the labs before it.
 
 ## Ten weeks
 

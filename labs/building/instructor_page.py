@@ -90,8 +90,8 @@ def _notes(lesson: Lesson) -> Iterator[str]:
     for cell in lesson.cells:
         if cell.kind == "instructor":
             yield f"**{place}.** {cell.text}"
-        elif heading := None if cell.code or cell.kind else _PART.search(cell.text):
-            place = heading[1]
+        elif not cell.code and not cell.kind and (headings := _PART.findall(cell.text)):
+            place = headings[-1][0]
 
 
 def _predictions(lesson: Lesson, found: Hints) -> Iterator[str]:
