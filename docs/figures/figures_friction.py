@@ -10,23 +10,25 @@ from solutions import as_printed
 from solutions.friction import (
     clamp_to_circle,
     clamp_to_square,
-    complementarity_residual,
-    contact_jacobian,
     dissipative_impulse,
     friction_force,
     friction_impulse,
     impact_energy,
-    inverse_mass_matrix,
     point_inverse_mass,
     poisson_impulse,
+    sphere_impact,
+    stick_slip_times,
+    stronge_impulse,
+)
+from solutions.world import (
+    complementarity_residual,
+    contact_jacobian,
+    inverse_mass_matrix,
     propagate_impacts,
     resting_problem,
     simultaneous_impacts,
     solve_by_pivots,
     solve_by_sweeps,
-    sphere_impact,
-    stick_slip_times,
-    stronge_impulse,
 )
 
 GREY = "#999999"

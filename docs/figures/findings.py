@@ -15,8 +15,8 @@ from reference.recording.reading import recall, replay
 from reference.report.figures import COLOURS, MARKERS
 from reference.scene.scenario import GRAVITY
 from solutions.forces import semi_implicit_euler
-from solutions.friction import propagate_impacts
 from solutions.response import kinematic_response
+from solutions.world import propagate_impacts
 
 GREY = "#777777"
 UP = np.array([0.0, 0.0, 1.0])

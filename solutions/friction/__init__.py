@@ -1,12 +1,9 @@
-"""Friction, sticking and sliding (slides 16, 22 and 24).
+"""Friction, sticking and sliding (slides 16 and 24).
 
-The package covers dry friction, friction in an impact, and contacts that rest.
+The package covers dry friction, balls that slide and roll, and friction in an impact.
 """
 
-from solutions.friction.complementarity import complementarity_residual, solve_by_pivots, solve_by_sweeps
 from solutions.friction.cone import clamp_to_circle, clamp_to_square
-from solutions.friction.contacts import contact_jacobian, inverse_mass_matrix, resting_problem, sequential_impulses
-from solutions.friction.cradle import propagate_impacts, simultaneous_impacts
 from solutions.friction.dry import friction_force, holds, sliding_motion
 from solutions.friction.impact import (
     friction_impulse,
@@ -17,43 +14,27 @@ from solutions.friction.impact import (
     superball_impact,
 )
 from solutions.friction.impact_laws import dissipative_impulse, poisson_impulse, stronge_impulse
-from solutions.friction.support import (
-    along_surface,
-    apparent_force,
-    break_away_time,
-    friction_angle,
-    normal_force,
-    stick_slip_times,
-)
+from solutions.friction.rolling import roll_step
+from solutions.friction.support import break_away_time, friction_angle, stick_slip_times, support_force
 
 __all__ = [
-    "along_surface",
-    "apparent_force",
     "break_away_time",
     "clamp_to_circle",
     "clamp_to_square",
-    "complementarity_residual",
-    "contact_jacobian",
     "dissipative_impulse",
     "friction_angle",
     "friction_force",
     "friction_impulse",
     "holds",
     "impact_energy",
-    "inverse_mass_matrix",
-    "normal_force",
     "point_inverse_mass",
     "poisson_impulse",
-    "propagate_impacts",
-    "resting_problem",
-    "sequential_impulses",
-    "simultaneous_impacts",
+    "roll_step",
     "sliding_motion",
-    "solve_by_pivots",
-    "solve_by_sweeps",
     "sphere_grips",
     "sphere_impact",
     "stick_slip_times",
     "stronge_impulse",
     "superball_impact",
+    "support_force",
 ]

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
 from solutions.checks import between, finite, in_unit_interval, matrix, not_negative, positive, unit, vector
-from solutions.friction.support import along_surface
+from solutions.friction.support import less_normal_part
 from solutions.scaling import in_unit, moderate_equations, power_of_two
 
 SINGULAR = 1e-12
@@ -126,7 +126,7 @@ def friction_impulse(
     k, u, smaller = moderate_equations(matrix("inverse_mass", inverse_mass), u)
     k, approach = positive_definite(k), np.vecdot(u, n)
     grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]
-    across = along_surface(grip, n)
+    across = less_normal_part(grip, n)
     sticks = np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n)
     size = np.linalg.norm(across, axis=-1, keepdims=True)
     edge = n + mu[..., None] * across / np.where(size > 0, size, 1.0)
@@ -300,6 +300,6 @@ def superball_impact(
     v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
     arm = -np.asarray(radius, dtype=float)[..., None] * n
     e_t = between("tangent_restitution", tangent_restitution, -1, 1)[..., None]
-    more = e_t * along_surface(v + np.cross(spin, arm), n)
+    more = e_t * less_normal_part(v + np.cross(spin, arm), n)
     after, spin_after = sphere_impact(v + more, spin, n, radius, restitution, friction, inertia_share)
     return after - more, spin_after

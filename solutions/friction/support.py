@@ -11,107 +11,65 @@ from solutions.friction.dry import holds
 from solutions.scaling import in_moderate_units
 
 
-def apparent_force(
+def support_force(
     mass: ArrayLike,
     gravity: ArrayLike,
     push: ArrayLike,
     frame_acceleration: ArrayLike,
-) -> Array:
-    """All forces on a body except its support's, as seen from the support.
+    normal: ArrayLike,
+) -> tuple[Array, Array]:
+    """The normal force on a body, and the force that friction has to hold (slide 24).
+
+    The body is seen from its support, which may accelerate: a lift, or a lorry.
 
     Parameters
     ----------
     mass : (...), kg
     gravity, frame_acceleration : (..., 3), g and a of the support, m/s²
-    push : (..., 3), F, N
-
-    Returns
-    -------
-    (..., 3), N
-
-    Raises
-    ------
-    ValueError
-        If a mass is not positive and finite or a vector does not have three components.
-
-    Notes
-    -----
-    Seen from a support that accelerates with a, a body that moves with the support is
-    at rest, and the inertial force −m a acts on it beside the weight m g and the push
-    F:
-
-        m (g − a) + F
-
-    The slide takes the weight for the normal force. The two differ: a push may lean on
-    the body or lift it, and in a lift or on a braking lorry the acceleration a of the
-    support counts against g.
-    """
-    fall = vector("gravity", gravity) - vector("frame_acceleration", frame_acceleration)
-    return np.asarray(finite("mass", positive("mass", mass))[..., None] * fall + vector("push", push))
-
-
-def normal_force(force: ArrayLike, normal: ArrayLike) -> Array:
-    """Force with which the support pushes on the body along the normal.
-
-    Parameters
-    ----------
-    force : (..., 3), sum of all other forces, N, as from apparent_force
+    push : (..., 3), F, any other force on the body, N
     normal : (..., 3), unit, out of the support
 
     Returns
     -------
-    (...), N
-        A force that lifts the body off leaves no normal force: N = 0, and so no
-        friction.
+    normal_force : (...), N
+        What the support pushes with. It cannot pull: a force that lifts the body off
+        leaves 0, and so no friction.
+    along : (..., 3), N
+        The part along the surface of all forces except the support's, as the support
+        sees them.
 
     Raises
     ------
     ValueError
-        If a normal does not have length 1 or a vector does not have three components.
+        If a mass is not positive and finite, a normal does not have length 1, or a
+        vector does not have three components.
 
     Notes
     -----
+    Seen from a support that accelerates with a, a body that moves with the support is
+    at rest, and the inertial force −m a acts on it beside the weight m g and the push:
+
+        F_all = m (g − a) + F
+
     A body that stays on its support does not accelerate along the normal, so that the
-    support balances F·n. It can push but not pull:
+    support balances F_all·n. It can push but not pull:
 
-        N = max(0, −F·n)
+        N = max(0, −F_all·n)
 
-    On an incline this is m g cos θ, not m g.
+    The slide takes the weight for the normal force. On an incline N is m g cos θ; a
+    push may lean on the body or lift it; and in a lift a counts against g. What remains
+    of the force without its part along the normal is left to friction:
+
+        F_t = F_all − (F_all·n) n
     """
+    fall = vector("gravity", gravity) - vector("frame_acceleration", frame_acceleration)
+    force = finite("mass", positive("mass", mass))[..., None] * fall + vector("push", push)
     n = unit("normal", vector("normal", normal))
-    return np.asarray(np.maximum(0.0, -np.vecdot(vector("force", force), n)))
-
-
-def along_surface(force: ArrayLike, normal: ArrayLike) -> Array:
-    """The part of a vector along the surface, which friction has to hold.
-
-    Parameters
-    ----------
-    force : (..., 3)
-    normal : (..., 3), unit
-
-    Returns
-    -------
-    (..., 3), in the unit of the vector
-
-    Raises
-    ------
-    ValueError
-        If a normal does not have length 1 or a vector does not have three components.
-
-    Notes
-    -----
-    The part along the normal is (F·n) n. What remains without it lies along the
-    surface:
-
-        F_t = F − (F·n) n
-    """
-    f, n = vector("force", force), unit("normal", vector("normal", normal))
-    return less_normal_part(f, n)
+    return np.asarray(np.maximum(0.0, -np.vecdot(force, n))), less_normal_part(force, n)
 
 
 def less_normal_part(vectors: Array, normal: Array) -> Array:
-    """What `along_surface` returns, for vectors and unit normals that are checked."""
+    """The part of vectors along a surface with a unit normal: F − (F·n) n."""
     return np.asarray(vectors - np.vecdot(vectors, normal)[..., None] * normal)
 
 
@@ -202,7 +160,7 @@ def break_away_time(
     force, rate = finite("force", vector("force", force)), finite("force_rate", vector("force_rate", force_rate))
     (force, _, newton), (rate, _, newton_a_second) = in_moderate_units(force), in_moderate_units(rate)
     press, press_rate = -np.vecdot(force, n), -np.vecdot(rate, n)
-    f, rate = along_surface(force, n), along_surface(rate, n)
+    f, rate = less_normal_part(force, n), less_normal_part(rate, n)
     held = holds(f, np.maximum(0.0, press), mu) & (press >= 0)
     a = np.vecdot(rate, rate) - (mu * press_rate) ** 2
     b = np.vecdot(f, rate) - mu**2 * press * press_rate

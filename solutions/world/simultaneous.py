@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solutions.arrays import Array, Integers
-from solutions.friction import solve_by_pivots
+from solutions.world.complementarity import solve_by_pivots
 from solutions.world.rows import Rows, after_impulses, speeds
 from solutions.world.sequential import Wanted
 

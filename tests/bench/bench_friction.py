@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from labs.benching.timing import Bench
-from solutions import friction
+from solutions import friction, world
 
 CONTACTS, IMPACTS, ODD_IMPACTS = 30, 100_000, 1_000
 
@@ -20,14 +20,14 @@ def heap() -> tuple[np.ndarray, np.ndarray]:
 
 def pivots() -> Callable[[], object]:
     """Thirty contacts by Lemke's method."""
-    problem = friction.resting_problem(heap()[0], np.eye(72), heap()[1])
-    return lambda: friction.solve_by_pivots(*problem)
+    problem = world.resting_problem(heap()[0], np.eye(72), heap()[1])
+    return lambda: world.solve_by_pivots(*problem)
 
 
 def sweeps() -> Callable[[], object]:
     """The same in a hundred sweeps of projected Gauss–Seidel."""
-    problem = friction.resting_problem(heap()[0], np.eye(72), heap()[1])
-    return lambda: friction.solve_by_sweeps(*problem, 100)
+    problem = world.resting_problem(heap()[0], np.eye(72), heap()[1])
+    return lambda: world.solve_by_sweeps(*problem, 100)
 
 
 def least_squares() -> Callable[[], object]:

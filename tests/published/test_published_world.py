@@ -9,7 +9,7 @@ import pytest
 
 from reference.published.by_hand.world import _square
 from reference.published.theirs import published
-from solutions.friction import complementarity_residual, solve_by_pivots
+from solutions.world import complementarity_residual, solve_by_pivots
 
 
 @pytest.mark.statement(22, oracle="P37: Irodov's three discs")

@@ -13,8 +13,6 @@ from oracles import oracle
 
 from solutions import as_printed
 from solutions.friction import (
-    along_surface,
-    apparent_force,
     break_away_time,
     clamp_to_circle,
     clamp_to_square,
@@ -22,11 +20,11 @@ from solutions.friction import (
     friction_force,
     friction_impulse,
     holds,
-    normal_force,
     sliding_motion,
     sphere_grips,
     sphere_impact,
     stick_slip_times,
+    support_force,
 )
 
 G = 9.81
@@ -44,44 +42,46 @@ ANGLE = st.floats(0.0, 1.5)
 @given(ANGLE, st.floats(0.1, 100))
 def test_an_incline_supports_m_g_cos_theta_and_friction_m_g_sin_theta(slope, mass):
     n = np.array([math.sin(slope), 0.0, math.cos(slope)])
-    force = apparent_force(mass, DOWN, STILL, STILL)
+    press, along = support_force(mass, DOWN, STILL, STILL, n)
     # a handful of roundings of the weight
-    assert normal_force(force, n) == pytest.approx(mass * G * math.cos(slope), abs=1e-14 * mass * G)
-    assert np.linalg.norm(along_surface(force, n)) == pytest.approx(mass * G * math.sin(slope), abs=1e-14 * mass * G)
+    assert press == pytest.approx(mass * G * math.cos(slope), abs=1e-14 * mass * G)
+    assert np.linalg.norm(along) == pytest.approx(mass * G * math.sin(slope), abs=1e-14 * mass * G)
 
 
 @pytest.mark.statement(24, oracle="the balance of forces, by hand")
 def test_pushing_down_on_a_crate_adds_to_its_support_force():
     # 3-4-5: 10 N at 6 N down and 8 N along, on 2 kg in 10 m/s²
-    force = apparent_force(2.0, (0.0, 0.0, -10.0), [[8.0, 0.0, -6.0], [8.0, 0.0, 6.0]], STILL)
-    assert normal_force(force, UP).tolist() == [26.0, 14.0]
-    assert along_surface(force, UP).tolist() == [[8.0, 0.0, 0.0], [8.0, 0.0, 0.0]]
+    press, along = support_force(2.0, (0.0, 0.0, -10.0), [[8.0, 0.0, -6.0], [8.0, 0.0, 6.0]], STILL, UP)
+    assert press.tolist() == [26.0, 14.0]
+    assert along.tolist() == [[8.0, 0.0, 0.0], [8.0, 0.0, 0.0]]
     # the same push holds or breaks away as its vertical part says, for 0.4 × 26 = 10.4 and 0.4 × 14 = 5.6
-    assert holds(along_surface(force, UP), normal_force(force, UP), 0.4).tolist() == [True, False]
+    assert holds(along, press, 0.4).tolist() == [True, False]
 
 
 def test_a_crate_slides_when_its_lorry_brakes_harder_than_mu_g():
     for braking, held in ((0.49 * G, True), (0.51 * G, False)):
-        force = apparent_force(3.0, DOWN, STILL, -braking * X)
-        assert along_surface(force, UP) == pytest.approx(3 * braking * X, abs=1e-14)
-        assert holds(along_surface(force, UP), normal_force(force, UP), 0.5) == held
+        press, along = support_force(3.0, DOWN, STILL, -braking * X, UP)
+        assert along == pytest.approx(3 * braking * X, abs=1e-14)
+        assert holds(along, press, 0.5) == held
 
 
 def test_in_a_lift_the_normal_force_is_m_times_g_plus_a():
     lifts = np.outer([2.0, -2.0, -G, -2 * G], UP)
-    pressed = normal_force(apparent_force(3.0, DOWN, STILL, lifts), UP)
+    pressed, _ = support_force(3.0, DOWN, STILL, lifts, UP)
     assert pressed == pytest.approx([3 * (G + 2), 3 * (G - 2), 0.0, 0.0], abs=1e-14)  # rounding of 35 N
 
 
 def test_a_body_that_is_lifted_off_is_not_pulled_back():
-    assert normal_force((0.0, 0.0, 5.0), UP) == 0
-    assert not holds(X, normal_force((1.0, 0.0, 5.0), UP), 10.0)
+    press, along = support_force(1.0, DOWN, (1.0, 0.0, 15.0), STILL, UP)
+    assert press == 0
+    assert not holds(along, press, 10.0)
 
 
 @given(VECTOR, st.integers(0, 99))
 def test_normal_and_tangential_parts_add_up_to_the_force(force, seed):
     n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
-    across = along_surface(force, n)
+    press, across = support_force(1.0, STILL, force, STILL, n)
+    assert press == pytest.approx(max(0.0, -(force @ n)), abs=1e-14)
     assert across @ n == pytest.approx(0, abs=1e-14)  # rounding of 17 N
     assert across + (force @ n) * n == pytest.approx(force, abs=1e-14)
     assert np.hypot(np.linalg.norm(across), force @ n) == pytest.approx(np.linalg.norm(force), abs=1e-13)
@@ -105,9 +105,8 @@ def test_mujoco_finds_the_same_normal_force_under_a_pushed_block(installed):
     for contact in range(data.ncon):
         mujoco.mj_contactForce(model, data, contact, one)
         total += [one[0], 0]
-    force = apparent_force(2.0, gravity, push, STILL)
     # MuJoCo creeps: what is left of the acceleration is below 1e-5 of the weight
-    assert total[0] == pytest.approx(float(normal_force(force, UP)), rel=1e-4)
+    assert total[0] == pytest.approx(float(support_force(2.0, gravity, push, STILL, UP)[0]), rel=1e-4)
 
 
 def test_a_block_stays_on_the_steepest_slope_and_on_none_steeper():
@@ -116,14 +115,15 @@ def test_a_block_stays_on_the_steepest_slope_and_on_none_steeper():
         critical = float(friction_angle(friction))
         for slope, held in ((critical - 1e-12, True), (critical + 1e-12, False)):  # some roundings aside
             n = np.array([math.sin(slope), 0.0, math.cos(slope)])
-            assert holds(along_surface(DOWN, n), normal_force(DOWN, n), friction) == held
+            press, along = support_force(1.0, DOWN, STILL, STILL, n)
+            assert holds(along, press, friction) == held
 
 
 def test_at_exactly_the_angle_of_friction_a_block_rests():
     # 3-4-5: sin 0.6, cos 0.8, so that 6 N pull at a weight of 10 N and 8 N press it on, without rounding
     n = np.array([0.6, 0.0, 0.8])
-    force = apparent_force(1.0, (0.0, 0.0, -10.0), STILL, STILL)
-    push, press = along_surface(force, n), normal_force(force, n)
+    force = np.array([0.0, 0.0, -10.0])
+    press, push = support_force(1.0, force, STILL, STILL, n)
     assert holds(push, press, 0.75)
     assert friction_force(push, STILL, press, 0.75, 0.5).tolist() == (-push).tolist()
     assert np.linalg.norm(friction_force(push, STILL, press, 0.75, 0.5)) == 0.75 * press
@@ -184,10 +184,11 @@ def test_the_instant_of_breaking_away_keeps_its_digits():
 def test_at_the_limit_breaking_away_and_holding_agree(force, friction, seed):
     # Scaled to the limit as well as rounding allows: F_t² − μ²N² is then a rounding of either sign
     n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
-    across = along_surface(force, n)
+    _, across = support_force(1.0, STILL, force, STILL, n)
     assume(np.linalg.norm(across) > 1e-3)
     force = across - np.linalg.norm(across) / friction * n
-    held = holds(along_surface(force, n), normal_force(force, n), friction)
+    press, along = support_force(1.0, STILL, force, STILL, n)
+    held = holds(along, press, friction)
     time = break_away_time(force, n * [0.0, 0.0, 0.0], n, friction)
     assert time == (np.inf if held else 0)
     assert 0 <= break_away_time(force, across, n, friction) <= 1e-14  # grows from there: at once, but for rounding
@@ -361,12 +362,11 @@ def test_every_law_of_friction_refuses_an_infinite_coefficient(call):
 @pytest.mark.parametrize(
     ("call", "name"),
     [
-        (lambda: apparent_force(-1.0, DOWN, STILL, STILL), "mass"),
-        (lambda: apparent_force(0.0, DOWN, STILL, STILL), "mass must be positive, not 0"),
-        (lambda: apparent_force(1.0, DOWN[:2], STILL, STILL), "gravity"),
-        (lambda: normal_force(DOWN, 2 * UP), "normal"),
-        (lambda: normal_force(DOWN[:2], UP), "force"),
-        (lambda: along_surface(DOWN, STILL), "normal"),
+        (lambda: support_force(-1.0, DOWN, STILL, STILL, UP), "mass"),
+        (lambda: support_force(0.0, DOWN, STILL, STILL, UP), "mass must be positive, not 0"),
+        (lambda: support_force(1.0, DOWN[:2], STILL, STILL, UP), "gravity"),
+        (lambda: support_force(1.0, DOWN, STILL, STILL, 2 * UP), "normal"),
+        (lambda: support_force(1.0, DOWN, DOWN[:2], STILL, UP), "push"),
         (lambda: friction_angle(-0.1), "static_friction"),
         (lambda: break_away_time(DOWN, X, UP, math.nan), "static_friction"),
         (lambda: break_away_time(DOWN, X, 2 * UP, 0.1), "normal"),
@@ -381,7 +381,7 @@ def test_every_law_of_friction_refuses_an_infinite_coefficient(call):
         (lambda: clamp_to_square(X, 1.0, 2 * X, Y), "axis_x"),
         (lambda: clamp_to_square(X, 1.0, X, 2 * Y), "axis_y"),
         (lambda: clamp_to_square(X, 1.0, X, 0.6 * X + 0.8 * Y), "axis_x and axis_y must be at right angles"),
-        (lambda: apparent_force(np.inf, DOWN, STILL, STILL), "mass must be finite"),
+        (lambda: support_force(np.inf, DOWN, STILL, STILL, UP), "mass must be finite"),
         (lambda: break_away_time(DOWN, np.nan * X, UP, 0.1), "force_rate must be"),
         (lambda: break_away_time(DOWN + np.nan, X, UP, 0.1), "force must be finite"),
         (lambda: break_away_time(DOWN, X, UP, np.inf), "static_friction must be finite"),

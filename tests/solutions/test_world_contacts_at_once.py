@@ -8,7 +8,7 @@ from balls_and_rods import EXACT, FLOOR, IMPULSES, G, energy, once, rod, slope, 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solutions.friction import contact_jacobian, inverse_mass_matrix, resting_problem, solve_by_sweeps
+from solutions.world import contact_jacobian, inverse_mass_matrix, resting_problem, solve_by_sweeps
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.contacts import collect_contacts
 from solutions.world.rows import contact_rows

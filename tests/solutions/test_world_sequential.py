@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solutions.friction import dissipative_impulse, solve_by_pivots
+from solutions.friction import dissipative_impulse
+from solutions.world import solve_by_pivots
 from solutions.world.bodies import make_bodies
 from solutions.world.contacts import Contacts
 from solutions.world.rows import contact_rows, speeds

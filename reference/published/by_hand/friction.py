@@ -28,7 +28,7 @@ def begins_to_roll(case: Published, code: Implementation) -> Answers:
     mass = mass_of(radius, case.value("density"))
     inertia = inertia_of(mass, radius)
     rub = code.function("friction_force")
-    press = code.function("normal_force")(code.function("apparent_force")(mass, -gravity * UP, STILL, STILL), UP)
+    press, _ = code.function("support_force")(mass, -gravity * UP, STILL, STILL, UP)
     x, v, spin, force, step, found = 0.0, case.value("speed"), 0.0, 0.0, 0, (0.0, 0.0, 0.0)
 
     def after_half_a_step(v: float, spin: float, force: float) -> tuple[float, float]:

@@ -65,7 +65,7 @@ def _contacts(case: Published, code: Implementation, masses: Array) -> tuple[obj
 
 def _square_cone_error(case: Published, code: Implementation, push: Array, mass: float) -> float:
     """Mean of the squared errors of both speeds, before each step, if friction is clamped to a square along x and y."""
-    press = code.function("normal_force")(-mass * case.value("gravity") * UP, UP)
+    press, _ = code.function("support_force")(mass, -case.value("gravity") * UP, STILL, STILL, UP)
     friction = code.function("clamp_to_square")(-push, case.value("ground_friction") * press, X, Y)
     assert np.array_equal(friction, -push), "the square holds the plate"
     times = case.value("timestep") * np.arange(round(case.value("duration") / case.value("timestep")))
@@ -75,7 +75,8 @@ def _square_cone_error(case: Published, code: Implementation, push: Array, mass:
 
 def stopping(case: Published, code: Implementation) -> Answers:
     """P7, P8: how far a box slides, in one step of the lecture's motion with friction, exact to the stop."""
-    press = code.function("normal_force")(-case.value("gravity") * UP, UP)  # for 1 kg; the way is the same for any mass
+    # for 1 kg; the way is the same for any mass
+    press, _ = code.function("support_force")(1.0, -case.value("gravity") * UP, STILL, STILL, UP)
     friction = np.array(case.numbers("friction"))
     end, *_ = code.function("sliding_motion")(
         STILL, case.value("speed") * X, STILL, press, friction, friction, 1.0, LONG
@@ -88,8 +89,6 @@ def ramp(case: Published, code: Implementation) -> Answers:
     """P10: whether a box rests, for every pair of coefficient and slope."""
     angles = np.radians(np.array(case.numbers("slope")))
     normal = np.stack([-np.sin(angles), 0 * angles, np.cos(angles)], axis=-1)
-    weight = code.function("apparent_force")(1.0, -case.value("gravity") * UP, STILL, STILL)
-    press = code.function("normal_force")(weight, normal)
-    push = code.function("along_surface")(weight, normal)
+    press, push = code.function("support_force")(1.0, -case.value("gravity") * UP, STILL, STILL, normal)
     rests = code.function("holds")(push, press, np.array(case.numbers("friction"))[:, None])
     return as_answers(rests=tuple(np.ravel(rests).astype(float).tolist()))

@@ -81,27 +81,10 @@ def penalty_step_limit(mass, stiffness, damping=0.0):
     return (np.sqrt(damping**2 + 4 * mass * stiffness) - damping) / stiffness
 
 
-def along_surface(force, normal):
-    return np.cross(normal, np.cross(force, normal))
-
-
-def normal_force(force, normal):
-    pressing = np.einsum("...i,...i", -np.asarray(force), normal)
-    return (np.abs(pressing) + pressing) / 2
-
-
-def friction_angle(static_friction):
-    return np.pi / 2 - np.arctan2(1.0, static_friction)
-
-
 def clamp_to_circle(tangent_force, limit):
     size, limit = np.linalg.norm(tangent_force, axis=-1), np.asarray(limit)
     largest = np.maximum(size, limit)
     return tangent_force * col(limit / np.where(largest > 0, largest, 1.0))
-
-
-def sphere_grips(slip, approach_speed, restitution, friction):
-    return 2 * np.asarray(slip) - 7 * friction * (1 + np.asarray(restitution)) * approach_speed <= 0
 
 
 def _point(velocity, angular_velocity, arm, *_):

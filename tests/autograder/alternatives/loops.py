@@ -78,11 +78,6 @@ def kinematic_response(velocity, normal, restitution):
     return np.array([v - (1 + restitution) * speed * n for v, n in zip(velocity, normal, strict=True)])
 
 
-@vector("(n),(),()->()")
-def holds(push, normal_force, static_friction):
-    return math.hypot(*push) <= static_friction * normal_force
-
-
 @vector("(n),(n),(),(),()->(n)")
 def friction_force(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
     speed, size = math.hypot(*tangent_velocity), math.hypot(*push)
@@ -97,11 +92,6 @@ def friction_force(push, tangent_velocity, normal_force, static_friction, kineti
 def clamp_to_circle(tangent_force, limit):
     size = math.hypot(*tangent_force)
     return tangent_force * (limit / size) if size > limit else tangent_force * 1.0
-
-
-@vector("()->()")
-def friction_angle(static_friction):
-    return math.atan(static_friction)
 
 
 @vector("(n),(n),(n),(n)->(n)")

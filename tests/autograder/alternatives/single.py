@@ -1,6 +1,6 @@
 """Right answers for one contact alone, in plain Python, and as lists."""
 
-from math import atan, inf, sqrt
+from math import inf, sqrt
 
 
 def signed_distance(point, normal, offset):
@@ -49,16 +49,10 @@ def penalty_rest_depth(mass, gravity, stiffness):
     return mass / stiffness * gravity
 
 
-def apparent_force(mass, gravity, push, frame_acceleration):
-    return [mass * g - mass * a + f for g, a, f in zip(gravity, frame_acceleration, push, strict=True)]
-
-
-def holds(push, normal_force, static_friction):
-    return bool(sum(float(f) ** 2 for f in push) <= (static_friction * normal_force) ** 2)
-
-
-def friction_angle(static_friction):
-    return atan(static_friction)
+def support_force(mass, gravity, push, frame_acceleration, normal):
+    every = [mass * g + f - mass * a for g, f, a in zip(gravity, push, frame_acceleration, strict=True)]
+    out = sum(f * n for f, n in zip(every, normal, strict=True))
+    return float(max(-out, 0)), [float(f - out * n) for f, n in zip(every, normal, strict=True)]
 
 
 def normal_velocity(body_a, body_b, normal):

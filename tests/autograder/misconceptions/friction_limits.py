@@ -6,32 +6,6 @@ from labs.grading.diagnosis.misconceptions import Misconception as M
 from labs.grading.diagnosis.misconceptions import along, col, direction, dot, flat, over, size
 
 
-def square(f, limit, x, y, each=lambda c, limit: np.clip(c, -limit, limit)):
-    return sum(col(each(flat(dot(f, axis)), np.asarray(limit))) * axis for axis in (x, y))
-
-
-def fixed_axes(f, limit, x, y):
-    most = col(limit)
-    return np.clip(f + 0 * np.asarray(x) + 0 * np.asarray(y), -most, most)
-
-
-def keeps_rest(f, limit, x, y):
-    """What lies across the two axes goes through."""
-    f = np.asarray(f)
-    return square(f, limit, x, y) + f - dot(f, x) * x - dot(f, y) * y
-
-
-def side_by_side(f, limit, x, y):
-    """Components along the two axes as if they were along x and y."""
-    parts = [np.clip(flat(dot(f, axis)), -np.asarray(limit), limit) for axis in (x, y)]
-    return np.stack([*parts, 0 * parts[0]], axis=-1)
-
-
-def circle_for_square(f, limit, x, y):
-    f = dot(f, x) * x + dot(f, y) * y
-    return f * np.minimum(1, over(col(limit), size(f), 1))
-
-
 def leaving(force, rate, n, mu, press=None, now=True, coefficient=lambda mu: mu, earlier=False):
     """When F_t + F_t' t is as long as μ (N + N' t): its first root, or what is mistaken for it."""
     mu = coefficient(np.asarray(mu))
@@ -76,64 +50,6 @@ def infinity_where_not_held(force, rate, n, mu):
 
 # fmt: off
 BANK = (
-    M("holds", "turned round", lambda f, N, s: flat(size(f)) > s * np.asarray(N),
-      "It is true where the body breaks away.",
-      "A weak push on a heavy body: does it hold?"),
-    M("holds", "not at the limit", lambda f, N, s: flat(size(f)) < s * np.asarray(N),
-      "At exactly the limit it says no; static friction can be as large as μ N.",
-      "How large can static friction be?"),
-    M("holds", "each component alone", lambda f, N, s: np.all(np.abs(f) <= col(s * np.asarray(N)), axis=-1),
-      "Each component is compared on its own: along the diagonal that lets √2 times too much through.",
-      "How large is a push of 4 N along x and 4 N along y?"),
-    M("holds", "sum of components", lambda f, N, s: np.abs(np.sum(f, axis=-1)) <= s * np.asarray(N),
-      "The components are added up: a push of (1, −1, 0) would be none.",
-      "How large is a push of 3 N along x and 4 N along y?"),
-    M("holds", "sum of sizes", lambda f, N, s: np.sum(np.abs(f), axis=-1) <= s * np.asarray(N),
-      "The sizes of the components are added up; that is the way round the corner, not the length.",
-      "How large is a push of 3 N along x and 4 N along y?"),
-    M("holds", "coefficient left out", lambda f, N, s: flat(size(f)) <= np.asarray(N) + 0 * np.asarray(s),
-      "The push is compared with the normal force; friction can only give a part of it.",
-      "Which argument makes no difference to your answer?"),
-    M("holds", "normal force left out", lambda f, N, s: flat(size(f)) <= s + 0 * np.asarray(N),
-      "The push, in newtons, is compared with a coefficient that has no unit.",
-      "Which argument makes no difference to your answer?"),
-    M("holds", "squared on one side", lambda f, N, s: flat(dot(f, f)) <= s * np.asarray(N),
-      "The square of the push is compared with the limit itself.",
-      "What has to be done to the other side when one is squared?"),
-    M("holds", "first component", lambda f, N, s: np.asarray(f)[..., 0] <= s * np.asarray(N),
-      "Only the first component is looked at, and with its sign.",
-      "Which components of the push make no difference to your answer?"),
-    M("holds", "one for all", lambda f, N, s: np.linalg.norm(f) <= s * np.asarray(N),
-      "With several bodies in one call, one length is taken of all pushes together.",
-      "Along which axis do the components of a single push lie?"),
-    M("holds", "limit over the coefficient", lambda f, N, s: s * flat(size(f)) <= np.asarray(N),
-      "The coefficient is on the wrong side: the rougher, the less would hold.",
-      "Double μ. Should a larger or a smaller push be held?"),
-    M("friction_angle", "sine", lambda s: np.arcsin(np.minimum(s, 1)),
-      "It is the arc sine: both the weight along the slope and the normal force depend on the angle, "
-      "so that the tangent is left.",
-      "How large is the normal force on the slope?"),
-    M("friction_angle", "cosine", lambda s: np.arccos(np.minimum(s, 1)),
-      "It is the arc cosine: without friction the slope would have to be vertical.",
-      "On which slope does a body stay without friction?"),
-    M("friction_angle", "degrees", lambda s: np.degrees(np.arctan(s)),
-      "The angle is in degrees; it should be in radians.",
-      "What unit is asked for?"),
-    M("friction_angle", "degrees taken for radians", lambda s: np.radians(np.arctan(s)),
-      "The angle that comes from the arc tangent is in radians already, and is converted once more.",
-      "What unit does np.arctan return?"),
-    M("friction_angle", "tangent", lambda s: np.where(np.isfinite(s), np.tan(np.where(np.isfinite(s), s, 0)), np.inf),
-      "It is the tangent of μ: μ is the tangent of the angle.",
-      "Of which of the two is the tangent taken in tan θ = μ?"),
-    M("friction_angle", "small angles", lambda s: np.asarray(s) * 1.0,
-      "μ itself is taken for the angle: right only for small ones.",
-      "What angle belongs to μ = 1?"),
-    M("friction_angle", "upside down", lambda s: np.pi / 2 - np.arctan(s),
-      "The ratio is upside down: it is counted from the vertical.",
-      "On which slope does a body stay without friction?"),
-    M("friction_angle", "doubled", lambda s: 2 * np.arctan(s),
-      "The angle is twice too large.",
-      "What slope has the tangent 1?"),
     M("clamp_to_circle", "each component alone", lambda f, limit: np.clip(f, -col(limit), col(limit)),
       "Each component is clamped on its own: that is a square, and it turns the force.",
       "Does your answer point the same way as the force?"),
@@ -175,46 +91,6 @@ BANK = (
     M("clamp_to_circle", "0/0", lambda f, limit: f * np.minimum(1, col(limit) / size(f)),
       "Without force and without friction it divides 0 by 0.",
       "What is limit/‖F‖ when both are zero?"),
-    M("clamp_to_square", "circle", circle_for_square,
-      "The length is clamped: that is the circle. Here each component is to be clamped on its own.",
-      "What comes out of (4, 4) with a limit of 5?"),
-    M("clamp_to_square", "along x and y whatever the axes", fixed_axes,
-      "The components of the vector as given are clamped: the axes make no difference.",
-      "Which arguments make no difference to your answer?"),
-    M("clamp_to_square", "rest goes through", keeps_rest,
-      "What lies across both axes is kept: it is no friction.",
-      "What should be left of a force straight out of the surface?"),
-    M("clamp_to_square", "from above alone", lambda *given: square(*given, each=np.minimum),
-      "The components are cut from above only.",
-      "What becomes of a component of −9 with a limit of 5?"),
-    M("clamp_to_square", "from below alone", lambda *given: square(*given, each=lambda c, limit: np.maximum(c, -limit)),
-      "The components are cut from below only.",
-      "What becomes of a component of 9 with a limit of 5?"),
-    M("clamp_to_square", "always the limit", lambda *given: square(*given, each=lambda c, limit: np.sign(c) * limit),
-      "Each component is set to the limit even where it is smaller.",
-      "What should come out of a force below the limit?"),
-    M("clamp_to_square", "not clamped", lambda *given: square(*given, each=lambda c, limit: c + 0 * limit),
-      "The components are found, but none is clamped.",
-      "Which argument makes no difference to your answer?"),
-    M("clamp_to_square", "nothing beyond the limit",
-      lambda *given: square(*given, each=lambda c, limit: np.where(np.abs(c) <= limit, c, 0)),
-      "Beyond the limit nothing is left; friction still gives as much as it can.",
-      "How large should a component be that is far beyond the limit?"),
-    M("clamp_to_square", "sign lost", lambda *given: square(*given, each=lambda c, limit: np.minimum(np.abs(c), limit)),
-      "The sign of the components is lost.",
-      "What becomes of a component of −1 with a limit of 5?"),
-    M("clamp_to_square", "first axis alone",
-      lambda f, limit, x, y: col(np.clip(flat(dot(f, x)), -np.asarray(limit), limit)) * x + 0 * np.asarray(y),
-      "Only the component along the first axis is there.",
-      "Which argument makes no difference to your answer?"),
-    M("clamp_to_square", "inside the circle", lambda f, limit, x, y: square(f, np.asarray(limit) / np.sqrt(2), x, y),
-      "The square lies within the circle; here it is the one around it.",
-      "What comes out of a force along the first axis?"),
-    M("clamp_to_square", "components, not a vector",
-      side_by_side,
-      "The clamped components are returned side by side; they belong to the axes given, "
-      "which have to be put together again.",
-      "In which axes is your answer?"),
     M("break_away_time", "normal force constant", lambda *given: leaving(*given, press=lambda N, rise: (N, 0 * rise)),
       "The normal force is taken to stay as it is; it changes with the force.",
       "What does a lifting force do to the limit while it grows?"),

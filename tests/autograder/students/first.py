@@ -275,37 +275,6 @@ def time_until_rest_1(separation, normal_velocity, normal_acceleration, restitut
     return t1 * (1 + e) / (1 - e)
 
 
-def normal_force_1(force, normal):
-    """The force along the normal, with its sign."""
-    return np.dot(force, normal)
-
-
-def normal_force_2(force, normal):
-    """The weight's size."""
-    return np.linalg.norm(force)
-
-
-def along_surface_1(force, normal):
-    """The wrong one of the two parts."""
-    return np.dot(force, normal) / np.dot(normal, normal) * normal
-
-
-def apparent_force_1(mass, gravity, push, frame_acceleration):
-    """A lift that starts up makes lighter."""
-    return mass * gravity + push + mass * frame_acceleration
-
-
-def holds_1(push, normal_force, static_friction):
-    """Each component on its own."""
-    limit = static_friction * normal_force
-    return bool(abs(push[0]) <= limit and abs(push[1]) <= limit and abs(push[2]) <= limit)
-
-
-def friction_angle_1(static_friction):
-    """In degrees."""
-    return math.atan(static_friction) * 180 / math.pi
-
-
 def friction_force_1(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
     """By the sign of each component."""
     if np.linalg.norm(tangent_velocity) > 0:
@@ -343,50 +312,6 @@ def clamp_to_circle_2(tangent_force, limit):
     if size == 0:
         return tangent_force
     return tangent_force / size * limit
-
-
-def sphere_grips_1(slip, approach_speed, restitution, friction):
-    """The ball as a block."""
-    return slip <= friction * (1 + restitution) * approach_speed
-
-
-def friction_impulse_1(velocity, normal, inverse_mass, restitution, friction):
-    """Normal first, tangent afterwards, clamped: the game programmer's way."""
-    vn = np.dot(velocity, normal)
-    if vn >= 0:
-        return np.zeros(3)
-    jn = -(1 + restitution) * vn / (normal @ inverse_mass @ normal)
-    vt = velocity - vn * normal
-    if np.linalg.norm(vt) < 1e-12:
-        return jn * normal
-    t = vt / np.linalg.norm(vt)
-    jt = -np.dot(velocity, t) / (t @ inverse_mass @ t)
-    jt = max(-friction * jn, min(friction * jn, jt))
-    return jn * normal + jt * t
-
-
-def friction_impulse_2(velocity, normal, inverse_mass, restitution, friction):
-    """Normal first, tangent with the velocity that the normal impulse has left, clamped."""
-    vn = np.dot(velocity, normal)
-    if vn >= 0:
-        return np.zeros(3)
-    jn = -(1 + restitution) * vn / (normal @ inverse_mass @ normal)
-    after = velocity + inverse_mass @ (jn * normal)
-    vt = after - np.dot(after, normal) * normal
-    if np.linalg.norm(vt) < 1e-12:
-        return jn * normal
-    t = vt / np.linalg.norm(vt)
-    jt = -np.dot(after, t) / (t @ inverse_mass @ t)
-    jt = max(-friction * jn, min(friction * jn, jt))
-    return jn * normal + jt * t
-
-
-def sphere_impact_1(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
-    """Reflects the velocity and leaves the spin."""
-    vn = np.dot(velocity, normal)
-    if vn < 0:
-        velocity = velocity - (1 + restitution) * vn * normal
-    return velocity, angular_velocity
 
 
 def propagate_impacts_1(velocity, mass, restitution, most=10000):

@@ -142,26 +142,6 @@ def time_until_rest_2(separation, normal_velocity, normal_acceleration, restitut
     return (normal_velocity + w) / g + w / g * e / (1 - e)
 
 
-def normal_force_3(force, normal):
-    """The weight, straight down."""
-    return max(0.0, -force[2])
-
-
-def along_surface_2(force, normal):
-    """Mirrored."""
-    return force - 2 * np.dot(force, normal) * normal
-
-
-def holds_2(push, normal_force, static_friction):
-    """Strictly below."""
-    return bool(np.sqrt(np.sum(push**2)) < static_friction * normal_force)
-
-
-def friction_angle_2(static_friction):
-    """The sine."""
-    return math.asin(static_friction) if static_friction < 1 else math.pi / 2
-
-
 def friction_force_4(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
     """One coefficient for the hold and for the slide."""
     speed = np.linalg.norm(tangent_velocity)
@@ -180,31 +160,6 @@ def friction_force_5(push, tangent_velocity, normal_force, static_friction, kine
     if np.linalg.norm(push) > static_friction * normal_force:
         return np.zeros(3)
     return -push
-
-
-def clamp_to_square_1(tangent_force, limit, axis_x, axis_y):
-    """Clamps the vector's own components."""
-    return np.clip(tangent_force, -limit, limit)
-
-
-def sphere_grips_2(slip, approach_speed, restitution, friction):
-    """Without the rebound."""
-    return slip <= 7 / 2 * friction * approach_speed
-
-
-def sphere_impact_2(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
-    """The arm points to the centre."""
-    vn = np.dot(velocity, normal)
-    if vn >= 0:
-        return velocity, angular_velocity
-    arm = radius * normal
-    slip = velocity + np.cross(angular_velocity, arm)
-    slip = slip - np.dot(slip, normal) * normal
-    jn = -(1 + restitution) * vn
-    size = np.linalg.norm(slip)
-    jt = min(friction * jn, size / (1 + 1 / inertia_share))
-    j = jn * normal - (jt / size * slip if size > 0 else 0)
-    return velocity + j, angular_velocity + np.cross(arm, j) / (inertia_share * radius**2)
 
 
 def propagate_impacts_2(velocity, mass, restitution, most=10000):

@@ -253,35 +253,6 @@ def respond_at_impact_3(position, velocity, acceleration, normal, restitution, t
     return x, [v[i] + acceleration[i] * left for i in range(3)]
 
 
-def sphere_impact_3(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
-    """To stop the slip takes m times the slip: the 2/7 is forgotten."""
-    v_n = inner(velocity, normal)
-    if v_n >= 0:
-        return velocity, angular_velocity
-    arm = [-radius * c for c in normal]
-    slip = velocity_at((velocity, angular_velocity), arm)
-    slip = [slip[i] - v_n * normal[i] for i in range(3)]
-    size = math.sqrt(inner(slip, slip))
-    j_n = -(1 + restitution) * v_n
-    j_t = min(friction * j_n, size)
-    j = [j_n * normal[i] - (j_t * slip[i] / size if size else 0) for i in range(3)]
-    spin = cross(arm, j)
-    inertia = inertia_share * radius**2
-    return [velocity[i] + j[i] for i in range(3)], [angular_velocity[i] + spin[i] / inertia for i in range(3)]
-
-
-def friction_impulse_3(velocity, normal, inverse_mass, restitution, friction):
-    """Mass is left out: the change of velocity is the impulse."""
-    v_n = inner(velocity, normal)
-    if v_n >= 0:
-        return np.zeros(3)
-    along = [velocity[i] - v_n * normal[i] for i in range(3)]
-    size = math.sqrt(inner(along, along))
-    j_n = -(1 + restitution) * v_n
-    j_t = min(size, friction * j_n)
-    return [j_n * normal[i] - (j_t * along[i] / size if size else 0) for i in range(3)]
-
-
 def propagate_impacts_3(velocity, mass, restitution, most=10000):
     """The impulse is taken off the velocities: no mass."""
     v = list(velocity)
@@ -440,26 +411,6 @@ def respond_at_impact_4(position, velocity, acceleration, normal, restitution, t
     return x, v
 
 
-def sphere_impact_4(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
-    """It bounces back whole."""
-    if inner(velocity, normal) >= 0:
-        return velocity, angular_velocity
-    return [-restitution * c for c in velocity], angular_velocity
-
-
-def friction_impulse_4(velocity, normal, inverse_mass, restitution, friction):
-    """One effective mass, along the normal, for the approach and for the slip."""
-    k_n = inner(normal, turned(inverse_mass, normal))
-    u_n = inner(velocity, normal)
-    if u_n > 0:
-        return [0.0, 0.0, 0.0]
-    along = [velocity[i] - u_n * normal[i] for i in range(3)]
-    size = math.sqrt(inner(along, along))
-    j_n = -(1 + restitution) * u_n / k_n
-    j_t = min(size / k_n, friction * j_n)
-    return [j_n * normal[i] - (j_t * along[i] / size if size else 0) for i in range(3)]
-
-
 def side_of_plane_4(separation, tolerance=0.0):
     """The minus in the wrong one of the two tests."""
     if separation < -tolerance:
@@ -467,11 +418,6 @@ def side_of_plane_4(separation, tolerance=0.0):
     if separation > -tolerance:
         return 1
     return 0
-
-
-def sphere_grips_3(slip, approach_speed, restitution, friction):
-    """The impulse along the floor against μ times the one along the normal."""
-    return bool(slip <= friction * (1 + restitution) * approach_speed)
 
 
 def resting_problem_2(jacobian, inverse_mass, force):

@@ -75,11 +75,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "penalty_step_limit": {NOT_NEGATIVE: ("size for it: …",)},
     "frequency_and_ratio": {NOT_NEGATIVE: ("size for it: …",)},
     "mass_and_stiffness": {NOT_NEGATIVE: ("size for it: …",)},
-    "normal_force": {NOT_NEGATIVE: ("size for it: …",)},
-    "friction_angle": {NOT_NEGATIVE: ("size for it: …",)},
-    "sphere_grips": {NOT_NEGATIVE: ("size for it: …",)},
-    "along_surface": {TWICE: ("normal: sign flipped",)},
-    "holds": {"Only the size of the push counts.": ("push: sign flipped", "push: size for it")},
     "sliding_motion": {
         NOT_NEGATIVE: ("size for it: dt[..., None] - first → …", "size for it: (p + after … np.abs(stopping_time))"),
         "At the stop v + a t is zero, except for rounding.": (
@@ -99,9 +94,15 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "clamp_to_circle": {FIRST_OF_BOTH: ("boundary: size > most → size >= most",)},
-    "clamp_to_square": {
-        TWICE: ("axis_x: sign flipped", "axis_y: sign flipped", "axis_x and axis_y: sign flipped"),
-        ORDER: ("results swapped: (axis_x, axis_y) → (axis_y, axis_x)",),
+    "support_force": {NOT_NEGATIVE: ("size for it: (np.maximum(… → (np.abs(np.maximum(…",)},
+    "roll_step": {
+        "The velocity and the impulse lie along the floor, and the arm is vertical.": (
+            "velocity: axis 2 left out",
+            "axis 2 left out: np.cross(omega, arm) → …",
+            "axis 0 left out: np.cross(arm, impulse) → np.cross(without(0, arm), impulse)",
+            "axis 1 left out: np.cross(arm, impulse) → np.cross(without(1, arm), impulse)",
+            "axis 2 left out: np.cross(arm, impulse) → without(2, np.cross(arm, impulse))",
+        ),
     },
     "break_away_time": {
         "This quotient is taken only where b is positive.": ("size for it: b + root → np.abs(b) + root",),
@@ -123,31 +124,12 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "sign flipped: press[..., None] * rate - press_rate[..., None] * f → press_rate[…",
             "cross product turned round: np.cross(f, rate) → np.cross(rate, f)",
         ),
-        "Below zero nothing is pressed together, which the next condition says as well.": (
-            "limit dropped: np.maximum(0.0, press) → shaped(press, 0.0)",
-        ),
         "What is held is within the limit, except for rounding.": (
             "limit dropped: np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2) → shaped(np.vecdot…",
         ),
         ROUNDING: ("limit dropped: np.maximum(0.0, mu ** 2 * np.vecdot(spread, spread) - … → shaped(mu ** 2 …, 0.0)",),
         "The push and its rate are turned round together, and only their sizes and their product count.": (
             "in less_normal_part: sign flipped: vectors - np.vecdot(vectors, normal)[..., None] * normal → np.vecdot…",
-        ),
-    },
-    "friction_impulse": {
-        NOT_NEGATIVE: ("size for it: 1 + e → 1 + np.abs(e)",),
-        "At the edge of the cone the impulse that grips is the one that slips.": (
-            "boundary: np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n) → …",
-        ),
-        SYMMETRIC: ("transposed: np.matvec(k, edge) → np.matvec(transposed(k), edge)",),
-    },
-    "sphere_impact": {
-        "A ball of 1 kg that is struck below its centre gives way along the normal by 1/kg.": (
-            "in friction_impulse: factor forgotten: -(1 + e) * approach / np.where(gained > 0, gained, 1.0) → -(…",
-            "in friction_impulse: product for ratio: -(1 + e) * approach / np.where(gained > 0, gained, 1.0) → …",
-        ),
-        "A ball that grazes is not pressed, so friction gives nothing.": (
-            "in friction_impulse: boundary: approach < 0 → approach <= 0",
         ),
     },
     "propagate_impacts": {

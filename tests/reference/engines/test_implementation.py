@@ -94,7 +94,7 @@ def test_a_name_that_is_no_function_is_refused(handed_in):
 
 def test_a_package_without_the_topic_needs_its_functions(package):
     mine = Implementation(package("response", ""))
-    for name, where in [("holds", "friction, step 4"), ("kinematic_response", "response, step 1")]:
+    for name, where in [("holds", "friction, step 1"), ("kinematic_response", "response, step 1")]:
         with pytest.raises(NeedsFunction) as caught:
             mine.function(name)
         assert str(caught.value) == f"needs {name} ({where})"

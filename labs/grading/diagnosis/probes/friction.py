@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.probes import friction_impacts
-from labs.grading.diagnosis.probes.probe import YES_OR_NO, Draw, Probe, edge, made, refused, usual
+from labs.grading.diagnosis.probes.probe import Draw, Probe, edge, made, refused, usual
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 INFINITY = float("inf")
@@ -15,83 +14,61 @@ INFINITY = float("inf")
 
 def probes(function: str) -> tuple[Probe, ...]:
     """The probes of one of this topic's functions."""
-    return tuple((_TABLE | friction_impacts.TABLE)[function]())
+    return tuple(_TABLE[function]())
 
 
-def _apparent() -> list[Probe]:
+def _support() -> list[Probe]:
+    down = [0, 0, -10]
     by_hand = [
-        usual("the weight alone", 2.0, [0, 0, -10], REST, REST),
-        usual("a push from the side", 2.0, [0, 0, -10], [5, 0, 0], REST),
-        usual("someone lifts", 2.0, [0, 0, -10], [0, 0, 8], REST),
-        usual("a lift that starts up", 2.0, [0, 0, -10], REST, [0, 0, 3]),
-        usual("a lorry that brakes", 2.0, [0, 0, -10], REST, [-4, 0, 0]),
-        edge("free fall", 2.0, [0, 0, -10], REST, [0, 0, -10]),
-        edge("far from everything", 2.0, REST, REST, REST),
-        refused("no mass", 0.0, [0, 0, -10], REST, REST),
+        usual("the weight alone, on a floor", 2.0, down, REST, REST, UP),
+        usual("the weight on an incline", 2.0, down, REST, REST, LEANS),
+        usual("a push from the side", 2.0, down, [5, 0, 0], REST, UP),
+        usual("someone leans on it", 2.0, down, [3, 0, -8], REST, UP),
+        usual("someone lifts", 2.0, down, [0, 1, 8], REST, UP),
+        usual("a lift that starts up", 2.0, down, REST, [0, 0, 3], UP),
+        usual("a lorry that brakes", 2.0, down, REST, [-4, 0, 0], UP),
+        usual("a lorry that brakes on a slope", 3.0, down, REST, [-2, -4, -4], LEANS),
+        usual("lifted off an incline", 1.0, down, [2, 2, 15], REST, LEANS),
+        usual("pressed against a wall", 1.0, down, [-9, 0, 0], REST, [1, 0, 0]),
+        edge("free fall", 2.0, down, REST, down, UP),
+        edge("far from everything", 2.0, REST, REST, REST, UP),
+        edge("just lifted", 2.0, down, [5, 2, 20], REST, UP),
+        refused("no mass", 0.0, down, REST, REST, UP),
+        refused("a normal that is not of unit length", 2.0, down, REST, REST, [0, 0, 2]),
     ]
-    maker = lambda draw: (draw.number(0.3, 5), draw.vector(10), draw.vector(10), draw.vector(4))  # noqa: E731
-    return made("apparent_force", by_hand, maker)
+
+    def maker(draw: Draw) -> tuple[Any, ...]:
+        return draw.number(0.3, 5), draw.vector(10), draw.vector(20), draw.vector(4), draw.unit()
+
+    return made("support_force", by_hand, maker)
 
 
-def _normal_force() -> list[Probe]:
+def _roll() -> list[Probe]:
     by_hand = [
-        usual("the weight on a floor", [0, 0, -20], UP),
-        usual("the weight on an incline", [0, 0, -20], LEANS),
-        usual("a push from the side as well", [7, 0, -20], UP),
-        usual("lifted off", [3, 0, 5], UP),
-        usual("lifted off an incline", [2, 2, 5], LEANS),
-        usual("pressed against a wall", [-9, 0, -20], [1, 0, 0]),
-        edge("along the floor", [5, 2, 0], UP),
-        edge("nothing acts", REST, UP),
-        refused("a normal that is not of unit length", [0, 0, -20], [0, 0, 2]),
+        usual("thrown without spin", [5, 0, 0], REST, 0.1, 0.2, 10.0, 0.05),
+        usual("thrown with backspin", [2, 0, 0], [0, -30, 0], 0.1, 0.2, 10.0, 0.05),
+        usual("with topspin, which drives it", [1, 0, 0], [0, 40, 0], 0.1, 0.2, 10.0, 0.05),
+        usual("spinning on the spot", REST, [0, 40, 0], 0.1, 0.2, 10.0, 0.05),
+        usual("hooking, across its way", [4, 0, 0], [30, 0, 0], 0.1, 0.2, 10.0, 0.05),
+        usual("it rolls within the step", [1, -2, 0], REST, 0.2, 0.5, 10.0, 1.0),
+        usual("spin about the vertical as well", [3, 1, 0], [2, 4, 20], 0.25, 0.3, 10.0, 0.1),
+        usual("another radius", [5, 2, 0], [0, 4, 0], 0.5, 0.2, 10.0, 0.05),
+        usual("on the Moon", [5, 2, 0], REST, 0.1, 0.2, 1.6, 0.05),
+        edge("rolling already", [2, 0, 0], [0, 20, 0], 0.1, 0.2, 10.0, 0.05),
+        edge("at rest", REST, REST, 0.1, 0.2, 10.0, 0.05),
+        edge("spin about the vertical alone", REST, [0, 0, 30], 0.1, 0.2, 10.0, 0.05),
+        edge("on ice", [3, 1, 0], [2, 4, 1], 0.1, 0.0, 10.0, 0.05),
+        edge("a step of no length", [3, 1, 0], [2, 4, 1], 0.1, 0.2, 10.0, 0.0),
+        refused("no radius", [3, 1, 0], REST, 0.0, 0.2, 10.0, 0.05),
+        refused("a velocity that leaves the floor", [3, 1, 1], REST, 0.1, 0.2, 10.0, 0.05),
     ]
-    return made("normal_force", by_hand, lambda draw: (draw.vector(20), draw.unit()))
 
+    def maker(draw: Draw) -> tuple[Any, ...]:
+        velocity = draw.vector(5) * [1, 1, 0]
+        radius, friction, dt = draw.number(0.05, 0.5), draw.number(0.05, 0.6), draw.number(0.02, 0.3)
+        return velocity, draw.vector(20), radius, friction, draw.number(2, 12), dt
 
-def _along() -> list[Probe]:
-    by_hand = [
-        usual("slanting on a floor", [3, 4, -20], UP),
-        usual("the weight on an incline", [0, 0, -20], LEANS),
-        usual("from below", [3, 4, 20], UP),
-        usual("along the floor", [3, -4, 0], UP),
-        edge("straight on", [0, 0, -20], UP),
-        edge("straight on an incline", [-3, -6, -6], LEANS),
-        edge("nothing acts", REST, UP),
-        refused("a normal that is not of unit length", [0, 0, -20], [0, 0, 2]),
-    ]
-    return made("along_surface", by_hand, lambda draw: (draw.vector(20), draw.unit()))
-
-
-def _holds() -> list[Probe]:
-    by_hand = [
-        usual("a weak push", [1, 0, 0], 10.0, 0.5),
-        usual("a strong push", [8, 0, 0], 10.0, 0.5),
-        usual("along the diagonal, too strong", [4, 4, 0], 10.0, 0.5),
-        usual("each component below the limit, not the whole", [0, -4, 4], 10.0, 0.5),
-        usual("backwards and strong", [-9, 0, 0], 10.0, 0.5),
-        usual("rough", [8, 6, 0], 10.0, 1.25),
-        edge("just at the limit", [3, 4, 0], 10.0, 0.5),
-        edge("no push", REST, 10.0, 0.5),
-        edge("no push and nothing to hold", REST, 0.0, 0.5),
-        edge("lifted off", [1, 0, 0], 0.0, 0.5),
-        edge("no friction, a push", [1, 0, 0], 10.0, 0.0),
-        refused("a negative normal force", [1, 0, 0], -10.0, 0.5),
-    ]
-    maker = lambda draw: (draw.vector(7), draw.number(4, 20), draw.number(0.2, 1))  # noqa: E731
-    return made("holds", by_hand, maker, count=YES_OR_NO)
-
-
-def _angle() -> list[Probe]:
-    by_hand = [
-        usual("half", 0.5),
-        usual("45 degrees", 1.0),
-        usual("more than 45 degrees", 1.5),
-        usual("very rough", 20.0),
-        edge("no friction", 0.0),
-        edge("nearly a wall", 1e6),
-        refused("a negative coefficient", -0.5),
-    ]
-    return made("friction_angle", by_hand, lambda draw: (draw.number(0.05, 1.3),))
+    return made("roll_step", by_hand, maker)
 
 
 def _force() -> list[Probe]:
@@ -169,29 +146,6 @@ def _circle() -> list[Probe]:
     return made("clamp_to_circle", by_hand, lambda draw: (draw.vector(6), draw.number(1, 9)))
 
 
-def _square() -> list[Probe]:
-    x, y = [1, 0, 0], [0, 1, 0]
-    by_hand = [
-        usual("below the limit", [1, 2, 0], 5.0, x, y),
-        usual("above in both", [6, 8, 0], 5.0, x, y),
-        usual("above in one", [1, -9, 0], 5.0, x, y),
-        usual("within the square, outside of the circle", [4, -4, 0], 5.0, x, y),
-        usual("backwards", [-6, -7, 0], 2.0, x, y),
-        usual("axes turned", [6, 1, 0], 4.0, [0.6, 0.8, 0], [-0.8, 0.6, 0]),
-        usual("a part across the surface is left out", [1, 2, 9], 5.0, x, y),
-        edge("just at the limit", [5, -5, 0], 5.0, x, y),
-        edge("no force", REST, 5.0, x, y),
-        edge("no friction", [3, 4, 0], 0.0, x, y),
-        refused("axes that are not at right angles", [3, 4, 0], 1.0, x, [0.6, 0.8, 0]),
-    ]
-
-    def maker(draw: Draw) -> tuple[Any, ...]:
-        turn = draw.turn()
-        return draw.vector(6), draw.number(1, 6), turn[0], turn[1]
-
-    return made("clamp_to_square", by_hand, maker)
-
-
 def _break_away() -> list[Probe]:
     press = [0, 0, -10]
     by_hand = [
@@ -221,14 +175,10 @@ def _break_away() -> list[Probe]:
 
 
 _TABLE = {
-    "apparent_force": _apparent,
-    "normal_force": _normal_force,
-    "along_surface": _along,
-    "holds": _holds,
-    "friction_angle": _angle,
+    "support_force": _support,
+    "roll_step": _roll,
     "friction_force": _force,
     "sliding_motion": _sliding,
     "clamp_to_circle": _circle,
-    "clamp_to_square": _square,
     "break_away_time": _break_away,
 }

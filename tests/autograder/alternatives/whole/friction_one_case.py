@@ -1,4 +1,4 @@
-"""Right answers for one case alone: bodies one at a time, rows of balls and contacts as they come."""
+"""Right answers for one body alone."""
 
 import math
 
@@ -9,24 +9,14 @@ def size(v):
     return math.sqrt(v @ v)
 
 
-def apparent_force(mass, gravity, push, frame_acceleration):
-    return mass * (gravity - frame_acceleration) + push
-
-
-def normal_force(force, normal):
-    return max(0.0, -float(force @ normal))
-
-
-def along_surface(force, normal):
-    return force - (force @ normal) * normal
+def support_force(mass, gravity, push, frame_acceleration, normal):
+    lean = [push[i] + mass * gravity[i] - mass * frame_acceleration[i] for i in range(3)]
+    out = sum(lean[i] * normal[i] for i in range(3))
+    return (0.0 if out > 0 else -out), np.array([lean[i] - out * normal[i] for i in range(3)])
 
 
 def holds(push, normal_force, static_friction):
     return size(push) <= static_friction * normal_force
-
-
-def friction_angle(static_friction):
-    return math.atan(static_friction)
 
 
 def friction_force(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
@@ -57,14 +47,20 @@ def clamp_to_circle(tangent_force, limit):
     return tangent_force
 
 
-def clamp_to_square(tangent_force, limit, axis_x, axis_y):
-    x, y = tangent_force @ axis_x, tangent_force @ axis_y
-    return max(-limit, min(limit, x)) * axis_x + max(-limit, min(limit, y)) * axis_y
+def roll_step(velocity, spin, radius, friction, gravity, dt):
+    slip = np.array([velocity[0] - radius * spin[1], velocity[1] + radius * spin[0]])
+    speed = math.hypot(*slip)
+    if speed == 0:
+        return velocity, spin
+    lost = min(friction * gravity * dt, 2 / 7 * speed)
+    px, py = -lost * slip / speed
+    turned = 2.5 * np.array([py, -px, 0.0]) / radius
+    return velocity + np.array([px, py, 0.0]), spin + turned
 
 
 def break_away_time(force, force_rate, normal, static_friction):
     press, press_rate = -(force @ normal), -(force_rate @ normal)
-    f, rate = along_surface(force, normal), along_surface(force_rate, normal)
+    f, rate = force + press * normal, force_rate + press_rate * normal
     mu = static_friction
     if press < 0 or size(f) > mu * press:
         return 0.0
@@ -79,65 +75,3 @@ def break_away_time(force, force_rate, normal, static_friction):
         leaves = (math.sqrt(under) - b) / a
     lifts = -press / press_rate if press_rate < 0 else math.inf
     return min(leaves, lifts)
-
-
-def sphere_grips(slip, approach_speed, restitution, friction):
-    return slip <= 3.5 * friction * (1 + restitution) * approach_speed
-
-
-def friction_impulse(velocity, normal, inverse_mass, restitution, friction):
-    approach = velocity @ normal
-    if approach >= 0:
-        return np.zeros(3)
-    grip = np.linalg.inv(inverse_mass) @ (-velocity - restitution * approach * normal)
-    across = along_surface(grip, normal)
-    if size(across) <= friction * (grip @ normal):
-        return grip
-    edge = normal + friction * across / size(across)
-    return -(1 + restitution) * approach / (normal @ inverse_mass @ edge) * edge
-
-
-def sphere_impact(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
-    arm, inertia = -radius * normal, inertia_share * radius**2
-    across = np.array([np.cross(arm, axis) for axis in np.eye(3)])
-    k = np.eye(3) + across @ across.T / inertia
-    j = friction_impulse(velocity + np.cross(angular_velocity, arm), normal, k, restitution, friction)
-    return velocity + j, angular_velocity + np.cross(arm, j) / inertia
-
-
-def propagate_impacts(velocity, mass, restitution, most=10_000):
-    v = [float(each) for each in velocity]
-    m = np.broadcast_to(mass, len(v))
-    e = np.broadcast_to(restitution, max(len(v) - 1, 0))
-    for _ in range(most):
-        struck = False
-        for i in range(len(v) - 1):
-            closing = v[i] - v[i + 1]
-            if closing > 1e-13:
-                struck = True
-                j = (1 + e[i]) * closing / (1 / m[i] + 1 / m[i + 1])
-                v[i], v[i + 1] = v[i] - j / m[i], v[i + 1] + j / m[i + 1]
-        if not struck:
-            break
-    return np.array(v)
-
-
-def resting_problem(jacobian, inverse_mass, force):
-    return jacobian @ inverse_mass @ jacobian.T, jacobian @ inverse_mass @ force
-
-
-def complementarity_residual(matrix, offset, force):
-    worst = 0.0
-    for i in range(len(offset)):
-        own = matrix[i][i] if matrix[i][i] > 0 else 1.0
-        worst = max(worst, abs(min(own * force[i], matrix[i] @ force + offset[i])))
-    return worst
-
-
-def solve_by_sweeps(matrix, offset, sweeps, start=0.0):
-    f = np.zeros(len(offset)) + start
-    for _ in range(sweeps):
-        for i in range(len(f)):
-            gap = matrix[i] @ f + offset[i]
-            f[i] = max(0.0, f[i] - gap / matrix[i][i]) if matrix[i][i] > 0 else 0.0
-    return f

@@ -19,7 +19,7 @@ from labs.grading.diagnosis.words import told
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
 BANK = read_bank()
 IN_MANY_ALONE = {
-    "signed_distance/one length for all", "holds/one for all", "clamp_to_circle/one for all",
+    "signed_distance/one length for all", "clamp_to_circle/one for all",
     "complementarity_residual/one for all", "edge_edge_normal/one length for all", "kinematic_response/one for all",
 }  # fmt: skip
 """Mistakes that a function of one case cannot make."""

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import oracle
 
-from solutions.friction import (
+from solutions.world import (
     complementarity_residual,
     contact_jacobian,
     inverse_mass_matrix,

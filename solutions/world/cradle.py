@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, positive
-from solutions.friction.complementarity import solve_by_pivots
+from solutions.world.complementarity import solve_by_pivots
 
 
 def propagate_impacts(
