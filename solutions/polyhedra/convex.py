@@ -154,13 +154,16 @@ def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]
     if not len(f):
         raise ValueError("faces must not be empty: a polyhedron without faces has no inside")
     normal, offset = face_planes(v, f)
-    corners = v[np.unique(f)]  # vertices of no face do not count
+    _refuse_concave(v[np.unique(f)], normal, offset)  # vertices of no face do not count
+    return normal, offset
+
+
+def _refuse_concave(corners: Array, normal: Array, offset: Array) -> None:
     height, face = _most_in_front(corners, normal, offset)
     if height > FLAT * size_of(corners):
         raise ValueError(
             f"faces must bound a convex solid and look outwards: a vertex is {height:g} m before face {face}"
         )
-    return normal, offset
 
 
 def _most_in_front(corners: Array, normal: Array, offset: Array) -> tuple[float, int]:

@@ -21,7 +21,7 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse")
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra")
 ONE_CASE_ALONE = {"count_impacts"}
 """Functions that take one case in a call."""
 
