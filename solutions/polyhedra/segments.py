@@ -122,7 +122,7 @@ def segment_triangle(
     of the triangle. The function takes the candidate whose point on the
     triangle is nearest to its point on the segment.
     """
-    p, q, corners = _in_moderate_units(*_checked(start, end, triangle))
+    p, q, corners = _in_moderate_units(*_side_by_side(start, end, triangle))
     a, b, c = (corners[..., k, :] for k in range(3))
     normal = np.cross(b - a, c - a)
     if np.any(np.all(normal == 0, axis=-1)):
@@ -171,7 +171,7 @@ def segment_meets_triangle(
     are apart if a line along one of the triangle's sides, or along the segment,
     separates them.
     """
-    p, q, corners = _checked(start, end, triangle)
+    p, q, corners = _side_by_side(start, end, triangle)
     shape = p.shape[:-1]
     p, q, (a, b, c) = p.reshape(-1, 3), q.reshape(-1, 3), np.moveaxis(corners.reshape(-1, 3, 3), 1, 0)
     side_p, side_q = orient3d(a, b, c, p), orient3d(a, b, c, q)
@@ -182,7 +182,7 @@ def segment_meets_triangle(
     return np.asarray(meets.reshape(shape))
 
 
-def _checked(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
+def _side_by_side(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
     p, q = finite("start", vector("start", start)), finite("end", vector("end", end))
     corners = matrix("triangle", triangle)
     shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])

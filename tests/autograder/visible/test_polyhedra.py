@@ -200,7 +200,12 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
             ([3.2, 0.5, 0.8], 0), ([0.4, 0.6, 2.3], 0), ([0.4, 0.6, -0.4], 0), ([-0.3, 1.2, 1.4], 0), ([9, -7, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (in_l(place)[0], L_TURNED, L_FACES), inside)
-    with part(1, "behind other parts of the surface, in every direction"):
+    with part(1, "behind other parts of the surface, in every direction; seven cubes"):
+        middles = 5 * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)])
+        cubes = np.concatenate([CUBE - 1 + middle for middle in middles])
+        faces = np.concatenate([CUBE_FACES + 8 * k for k in range(7)])
+        for place, inside in (([0.1, 0.2, 0.3], 1), ([0.1, 0.3, 2.5], 0), ([0.2, 0.1, -4.6], 1), ([-2.4, 0.1, 0.3], 0)):
+            expect(submission.inside_by_parity, (place, cubes, faces), inside)
         for place, inside in (([0.3, 0.4, -0.7], 0), ([0.3, 0.4, 2.7], 0), ([-0.7, 0.4, 0.8], 0), ([3.7, 0.4, 0.8], 0),
                               ([0.3, -0.7, 0.8], 0), ([0.3, 3.7, 0.8], 0), ([1.6, 2.4, 0.8], 0), ([0.6, 2.4, 0.8], 1)):  # fmt: skip
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES), inside)
@@ -212,6 +217,8 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
             ([1, 1, 0], 1), ([1, 0, 1], 1), ([0, 1, 1], 1), ([0.5, 0.5, -0.5], 1), ([-1, 1, 0.5], 1), ([1, -1, -0.5], 1),
             ([0, 1, -5], 0), ([1, 0, -5], 0), ([1, 1, -5], 0), ([-1, 1, -5], 0), ([-1, -1, -5], 0), ([2, 1, -5], 0),
             ([0, 0, -5], 0), ([-5, 0, 0], 0), ([0, -5, 0], 0), ([3, 0, -5], 0), ([0, 3, -5], 0), ([-3, 0, -5], 0),
+            ([0, -1, -5], 0), ([-1, 0, -5], 0), ([2, -1, -5], 0), ([-1, -2, -5], 0), ([-2, 1, -5], 0), ([0, -1, 0], 1),
+            ([-1, 0, 0.5], 1), ([1, -1, -5], 0), ([-1, 1, -5], 0), ([-1, 0, -0.5], 1), ([-2, 0, 0.5], 1), ([0, -2, 0.5], 1),
             ([0, -3, -5], 0), ([2, -2, 0], 0), ([0, 4, 0], 0), ([0, 5, 0], 0), ([5, 0, 0], 0), ([0, 0, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (place, OCTAHEDRON, EIGHT), inside)
@@ -266,7 +273,7 @@ def box(low, size):
     "Slide 9. Push a bar through a cube. Which corners are inside of the other solid, and which edges go through faces?",
 )  # fmt: skip
 def test_two_solids_meet_by_an_edge_or_by_what_lies_within(submission, part):
-    cube, bar = box([0, 0, 0], [2, 2, 2]), box([0.7, 0.6, -2], [0.5, 0.4, 7])
+    cube, bar = box([0, 0, 0], [2, 2, 2]), box([1.2, 0.2, -2], [0.3, 0.2, 7])  # it goes beside the diagonals
     with part(1, "a corner of one in the other, and apart"):
         shifted, aside = box([1.5, 1.3, 1.2], [3, 2, 4]), box([2.3, 0.2, 0.1], [1, 2, 3])
         expect(submission.polyhedra_intersect, (cube, CUBE_FACES, shifted, CUBE_FACES), True)

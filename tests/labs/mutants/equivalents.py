@@ -23,6 +23,8 @@ UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones.
 LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
 NOT_NEGATIVE = "What the size is taken of is never negative."
 
+ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
+
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "side_of_plane": {NOT_NEGATIVE: ("size for it: … → np.abs((s > tolerance).astype(np.int64)) - (s < -tolerance)",)},
     "time_of_impact_interpolated": {
@@ -241,6 +243,66 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in impulse_magnitude: branch dropped: np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0) → shaped(w…",
             "in impulse_magnitude: boundary: k > 0 → k >= 0",
             "in impulse_magnitude: condition dropped: k > 0 → always(k > 0)",
+        ),
+    },
+    "face_planes": {"Any corner of the face will do.": ("one for the other: a → b (2)", "one for the other: a → b (3)")},
+    "convex_separation": {
+        ANY_NEGATIVE: ("twice the number: 1 → 2",),
+        NOT_NEGATIVE: ("size for it: (separation…, face…) → (separation…, np.abs(face…",),
+        "Any corner of the face will do.": (
+            "in face_planes: one for the other: a → b (2)",
+            "in face_planes: one for the other: a → b (3)",
+        ),
+    },
+    "side_of_line": {
+        "The points have two coordinates.": (
+            "…: axis 2 left out",
+            "twice the number: 2 → 4",
+            "half the number: 2 → 1.0",
+        ),
+        "The area of a triangle is the same from each of its corners.": ("one for the other: a → b (3)",),
+    },
+    "inside_by_parity": {
+        ANY_NEGATIVE: ("twice the number: 1 → 2",),
+        NOT_NEGATIVE: ("size for it: inside…",),
+    },
+    "_ray_crosses": {
+        ORDER: ("results swapped: ((b, c), (c, a)) → ((c, a), (b, c))",),
+        "The sign of a turn is its own inverse.": ("ratio for product: turn[same] * …",),
+        NOT_NEGATIVE: ("size for it: crossed → np.abs(crossed)",),
+    },
+    "_before_face": {
+        "It decides about points on the surface alone, which the lab leaves open.": (
+            "condition dropped: side == 0 → never(side == 0)",
+            "one for the other: a → b (2)",
+            "one for the other: b → a (2)",
+        ),
+    },
+    "_beside_edge": {
+        "Any tiny move will do, as long as it is the same for all faces.": (
+            "results swapped: (np.sign(a…",
+            "sign flipped: a[:, 1] - b[:, 1] → b[:, 1] - a[:, 1]",
+            "sign flipped: b[:, 0] - a[:, 0] → a[:, 0] - b[:, 0]",
+        ),
+    },
+    "winding_number": {
+        "Both ways of adding up give the same number.": (
+            "boundary: p.size * len(f) > FEW → …",
+            "comparison turned round: p.size * len(f) > FEW → …",
+            "condition dropped: p.size * len(f) > FEW → …",
+            "factor forgotten: p.size * len(f) → …",
+            "ratio for product: p.size * len(f) → …",
+        ),
+    },
+    "polyhedra_intersect": {
+        ORDER: ("results swapped: …",),
+        "Mirrored, both solids meet as before.": ("vertices_a and vertices_b: sign flipped",),
+        NOT_NEGATIVE: ("size for it: any(inside)…",),
+        "Only whether an edge is found counts.": (
+            "in edges_through_faces: results swapped: …",
+            "in edges_through_faces: term dropped: edge[meets] + block.start → edge[meets]",
+            "in edges_through_faces: sign flipped: edge[meets] + block.start → …",
+            "in edges_through_faces: size for it: …",
         ),
     },
 }

@@ -51,8 +51,12 @@ CHECKS = dict.fromkeys(
     ("finite", "not_negative", "positive", "in_unit_interval", "unit", "vector", "matrix"), _named
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
 """What stands for the checks of what enters: they turn lists into arrays."""
-NOT_ASKED = ("blocks", "boxes_that_meet", "_faces_above", "_in_moderate_units", "_stretch", "winding_of_mesh")
-"""Helpers that save time or memory, or are there for numbers and cases that no lab asks for: they stay as they are."""
+NOT_ASKED = ("blocks", "boxes_that_meet", "_faces_above", "_in_moderate_units", "_stretch", "_around_many",
+             "inside_by_parity")  # fmt: skip
+"""Helpers that save time or memory, or are there for numbers and cases that no lab asks for: they stay as they are.
+
+So does `inside_by_parity` where another function calls it: what it makes of rays along edges is for its own checks.
+"""
 HELPERS = {
     name: getattr(operators, name)
     for name in ("shaped", "always", "never", "without", "alone", "transposed", "diagonal", "rounds")
