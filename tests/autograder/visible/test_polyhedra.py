@@ -110,7 +110,7 @@ def test_the_plane_above_which_a_point_is_highest_decides(submission, part):
         expect(submission.convex_separation, (table, *mesh), ([[-0.25, 2, 4], [4, 2, -0.25]], [[0, 1, 3], [3, 1, 0]]))
 
 
-CORNERS = np.array([[1.0, 0, 2], [5, 2, 1], [2, 6, 4]])
+CORNERS = np.array([[-2.0, -2, -0.5], [2, 0, -1.5], [-1, 4, 1.5]])
 """A triangle along no axis; its normal is along (8, −11, 22)."""
 
 

@@ -109,7 +109,7 @@ def _separation() -> list[Probe]:
     return made("convex_separation", by_hand, maker, count=YES_OR_NO, single=(1, 2))
 
 
-CORNERS = np.array([[1.0, 0, 2], [5, 2, 1], [2, 6, 4]])
+CORNERS = np.array([[-2.0, -2, -0.5], [2, 0, -1.5], [-1, 4, 1.5]])
 """A triangle along no axis."""
 
 
@@ -248,8 +248,8 @@ def _winding() -> list[Probe]:
         usual("in the pocket of an L without its floor", _turned([1.7, 1.4, 0.9]), L_TURNED, L_FACES[4:]),
         usual("an eighth of the sphere", [0, 0, 0], octant, face),
         usual("the front of it", [0, 0, 0], octant, face[:, ::-1]),
-        usual("a triangle along no axis", [1, 2, 7], CORNERS, face),
-        usual("close before a triangle: half of the sphere", [2.75, 2.25, 2.5], CORNERS, face),
+        usual("a triangle along no axis", [-2, 0, 4.5], CORNERS, face),
+        usual("close before a triangle: almost half of the sphere", [-0.375, 0.5, 0.0], CORNERS, face),
         usual("turned inside out", [0.125, -0.25, 0.5], CUBE, CUBE_FACES[:, ::-1]),
         usual("a cube without a face", [0.25, 0.125, 0.5], CUBE, CUBE_FACES[1:]),
         usual("without a face, outside", [-2, 0.125, 0.5], CUBE, CUBE_FACES[1:]),
