@@ -137,6 +137,7 @@ def _triangle() -> list[Probe]:
         edge("along the plane of the triangle, beside it", [1, 1, 2], [3, 1, 2], flat),
         edge("hardly into the triangle", *_through([0.25, 0.5, 0.25], 0.999, down)),
         edge("from just before the triangle", *_through([0.25, 0.5, 0.25], 0.001, down)),
+        edge("all a thousand times smaller", *(0.001 * part for part in _through([0.5, 0.125, 0.375], 0.5, down))),
         edge("close to a side, within", *_through([0.001, 0.5, 0.499], 0.5, down)),
         edge("close to a side, beyond", *_through([-0.001, 0.5, 0.501], 0.5, down)),
         refused("a triangle without area", [1, 1, 1], [1, 1, -1], [[0, 0, 0], [1, 2, 0], [2, 4, 0]]),
@@ -176,6 +177,7 @@ def _side() -> list[Probe]:
         edge("no line", [1, -2], [1, -2], [4, 3]),
         edge("all three points at the origin", [0, 0], [0, 0], [0, 0]),
         edge("hardly to the left", [0, 0], [1, 2], [1, 2.001]),
+        edge("a tenth of a millimetre", [0, 0], [1e-4, 2e-4], [-1e-4, 1e-4]),
         edge("very long", [0, 0], [1e6, 2e6], [1e6, -1e6]),
         refused("a coordinate that is no number", [0, 0], [1, float("nan")], [1, 1]),
         refused("points in space", [0, 0, 0], [1, 0, 0], [0, 1, 0]),
@@ -199,7 +201,11 @@ def _in_l(draw: Draw) -> Array:
 
 
 def _parity() -> list[Probe]:
-    in_two = np.concatenate([CUBE, CUBE + [5, 0, 0]]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
+    in_two, on_top = (
+        (np.concatenate([CUBE, CUBE + aside]), np.concatenate([CUBE_FACES, CUBE_FACES + 8]))
+        for aside in ([5, 0, 0], [0, 0, 5])
+    )
+    tip = np.array([[0.0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, 3]])
     nested = np.concatenate([CUBE, 3 * CUBE + 0.125]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
     by_hand = [
         usual("in the arm of an L", _turned([2.6, 0.3, 1.1]), L_TURNED, L_FACES),
@@ -214,6 +220,8 @@ def _parity() -> list[Probe]:
         usual("between two cubes", [2.5, 0.125, 0.25], *in_two),
         usual("in the second of two cubes", [5.25, 0.125, 0.375], *in_two),
         usual("in the first of two cubes, towards the second", [0.25, 0.125, 0.375], *in_two),
+        usual("in the lower of two cubes, one above the other", [0.25, 0.125, 0.375], *on_top),
+        usual("between two cubes, one above the other", [0.25, 0.125, 2.5], *on_top),
         usual("in a hollow", [0.25, 0.125, 0.375], *nested),
         usual("in the wall of a hollow solid", [1.75, 0.125, 0.375], *nested),
         usual("in a solid turned inside out", [0.3, 0.6, 0.7], L_SOLID, L_FACES[:, ::-1]),
@@ -221,6 +229,8 @@ def _parity() -> list[Probe]:
         edge("in a cube, a diagonal above", [0.5, 0.5, 0.25], CUBE, CUBE_FACES),
         edge("in the middle of an octahedron: its corners", [0, 0, 0], OCTAHEDRON, EIGHT),
         edge("in an octahedron: its edges", [1, 0, 0.5], OCTAHEDRON, EIGHT),
+        edge("in a tetrahedron, straight below its tip", [1, 1, 1], tip, SIDES),
+        edge("below a tetrahedron, straight below its tip", [1, 1, -1], tip, SIDES),
         edge("below an edge of an octahedron", [1, 0, -5], OCTAHEDRON, EIGHT),
         edge("below a corner of an octahedron", [0, 0, -5], OCTAHEDRON, EIGHT),
         edge("below its widest corner, which a ray only touches", [3, 0, -5], OCTAHEDRON, EIGHT),
@@ -288,6 +298,7 @@ def _intersect() -> list[Probe]:
     one = upright([0, 0, 0], [2, 2, 2])
     shell = np.concatenate([cube[0], within[0]]), np.concatenate([CUBE_FACES, CUBE_FACES[:, ::-1] + 8])
     crumb = _box([0.55, 0.75, 0.85], [0.1, 0.1, 0.1])
+    parts = np.concatenate([crumb[0], aside[0]]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
     pairs = [
         ("a corner of one in the other", cube, corner),
         ("apart", cube, aside),
@@ -297,6 +308,7 @@ def _intersect() -> list[Probe]:
         ("through the arm of an L", l_solid, crossing),
         ("in the hollow of a shell", shell, crumb),
         ("a bar through a shell", shell, bar),
+        ("of two parts, one within the other solid", parts, cube),
         ("far apart", cube, _box([50, 60, 70], [1, 2, 3])),
         ("as they lie: an L and a tetrahedron", l_solid, (TETRAHEDRON, SIDES)),
         ("a small tetrahedron beside an L", l_solid, (TETRAHEDRON / 10, SIDES)),
