@@ -48,10 +48,10 @@ def convex_separation(
     Raises
     ------
     ValueError
-        If the solid is not convex or is turned inside out (`is_convex` is
-        False), because the slide's test is wrong for such a solid. If a face
-        has no area, there is no face, vertices are not finite or do not fit
-        the faces, or a point is not finite or does not have three components.
+        If the solid is not convex or is turned inside out, because the slide's
+        test is wrong for such a solid. If a face has no area, there is no face,
+        vertices are not finite or do not fit the faces, or a point is not
+        finite or does not have three components.
 
     Notes
     -----

@@ -52,11 +52,10 @@ def inside_by_parity(
     Raises
     ------
     ValueError
-        If the surface is open: if an edge has an odd number of faces
-        (`mesh_report` says so). An open surface has no inside, and the answer
-        of a ray would depend on its direction. If a point is not finite or does
-        not have three components, or vertices are not finite or do not fit the
-        faces.
+        If the surface is open, so that an edge has an odd number of faces. An
+        open surface has no inside, and the answer of a ray would depend on its
+        direction. If a point is not finite or does not have three components,
+        or vertices are not finite or do not fit the faces.
 
     Notes
     -----

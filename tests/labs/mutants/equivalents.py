@@ -356,15 +356,8 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "results swapped: (faces_a, faces_b) → (faces_b, faces_a)",
             "results swapped: ((a, b), (b, a)) → ((b, a), (a, b))",
         ),
-        "There the faces are only checked.": ("in edges_through_faces: one for the other: faces_a → faces_b",),
         "Mirrored, both solids meet as before.": ("vertices_a and vertices_b: sign flipped",),
         NOT_NEGATIVE: ("size for it: any(inside)…",),
-        "Only whether an edge is found counts.": (
-            "in edges_through_faces: results swapped: …",
-            "in edges_through_faces: term dropped: edge[meets] + block.start → edge[meets]",
-            "in edges_through_faces: sign flipped: edge[meets] + block.start → …",
-            "in edges_through_faces: size for it: …",
-        ),
     },
 }
 
