@@ -134,6 +134,7 @@ def test_an_edge_meets_a_face_where_it_is_within_all_sides(submission, part):
     with part(1, "through the plane, but beside the face: beyond one side or two"):
         for weights in (
             [-0.25, 0.75, 0.5], [0.75, -0.25, 0.5], [0.5, 0.75, -0.25],
+            [-0.25, 0.5, 0.75], [0.5, -0.25, 0.75], [0.75, 0.5, -0.25],
             [1.75, -0.25, -0.5], [-0.5, 1.75, -0.25], [-0.25, -0.5, 1.75],
         ):  # fmt: skip
             for way in (down, slanted):
@@ -200,12 +201,15 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
             ([3.2, 0.5, 0.8], 0), ([0.4, 0.6, 2.3], 0), ([0.4, 0.6, -0.4], 0), ([-0.3, 1.2, 1.4], 0), ([9, -7, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (in_l(place)[0], L_TURNED, L_FACES), inside)
-    with part(1, "behind other parts of the surface, in every direction; seven cubes"):
+    with part(1, "behind other parts of the surface, in every direction; cubes around a cube"):
         middles = 5 * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)])
         cubes = np.concatenate([CUBE - 1 + middle for middle in middles])
         faces = np.concatenate([CUBE_FACES + 8 * k for k in range(7)])
         for place, inside in (([0.1, 0.2, 0.3], 1), ([0.1, 0.3, 2.5], 0), ([0.2, 0.1, -4.6], 1), ([-2.4, 0.1, 0.3], 0)):
             expect(submission.inside_by_parity, (place, cubes, faces), inside)
+        nested = np.concatenate([size * (CUBE - 1) for size in (1, 3, 7)]) + CORNER
+        for place, inside in (([0.1, 0.2, 0.3], 1), ([2.1, 0.2, 0.3], 0), ([-5.1, 0.2, 0.3], 1), ([0.1, 0.2, 7.3], 0)):
+            expect(submission.inside_by_parity, (CORNER + place, nested, faces[:36]), inside)
         for place, inside in (([0.3, 0.4, -0.7], 0), ([0.3, 0.4, 2.7], 0), ([-0.7, 0.4, 0.8], 0), ([3.7, 0.4, 0.8], 0),
                               ([0.3, -0.7, 0.8], 0), ([0.3, 3.7, 0.8], 0), ([1.6, 2.4, 0.8], 0), ([0.6, 2.4, 0.8], 1)):  # fmt: skip
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES), inside)
