@@ -128,7 +128,7 @@ def meeting(start, end, triangle):
 def segment(draw):
     """A segment and a triangle in general position, more often meeting than not."""
     corners = tetrahedron(draw)[1:]
-    first, second = draw.number(0.1, 0.4), draw.number(0.1, 0.4)
+    first, second = draw.number(0.1, 0.4), draw.number(0.1, 0.4) + 0.003  # so that no weight below is zero
     weights = np.roll([first, second, 1 - first - second], draw.rng.integers(3))
     if not draw.rng.integers(3):
         weights = np.array([1, 1, 1]) - 2 * weights if draw.rng.integers(2) else 2 * weights - 1 / 3
