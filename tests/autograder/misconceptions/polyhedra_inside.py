@@ -137,6 +137,10 @@ BANK = (
     M("winding_number", "unsigned angles", sphere(lambda o: total(np.abs(o))),
       "The angles are added up without their signs. From outside, the fronts must take away what the backs add.",
       "From outside of a cube, what is the sum of its solid angles with their signs?"),
+    M("winding_number", "unsigned angles, cut at one", sphere(lambda o: np.minimum(total(np.abs(o)), 4 * np.pi)),
+      "The angles are added up without their signs, and a sum beyond 1 is cut off. Inside of a closed surface this gives"
+      " 1, but outside it is not 0.",
+      "From outside of a cube, what is the sum of its solid angles with their signs?"),
     M("winding_number", "inwards", sphere(lambda o: -total(o)),
       "The sign is turned round: it is −1 inside of a surface whose faces look outwards.",
       "Does a point inside see the backs of the faces, or their fronts? And which of the two angles is positive?"),
