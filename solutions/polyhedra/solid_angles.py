@@ -16,7 +16,7 @@ from solutions.checks import in_space, matrix
 from solutions.polyhedra.surface import blocks, directed_edges
 from solutions.scaling import in_moderate_units, in_unit
 
-FAR = 2.0**300
+FAR = np.float64(2.0**300)
 """From farther away than this many sizes of a mesh, its solid angle is below 1e-180."""
 
 FEW_FACES = 8

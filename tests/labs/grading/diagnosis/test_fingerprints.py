@@ -22,7 +22,7 @@ from solutions.response import kinematic_response
 BANK = read_bank()
 
 TOPICS = ("detection", "response", "friction", "impulse", "polyhedra")
-ONE_CASE_ALONE = {"count_impacts"}
+ONE_CASE_ALONE = {"count_impacts", "face_planes", "polyhedra_intersect"}
 """Functions that take one case in a call."""
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
