@@ -87,7 +87,7 @@ def _separation() -> list[Probe]:
         usual("in the middle of a tetrahedron", middle, *mesh),
         usual("close to its slanted face", [2.5, -0.5, 3.8], *mesh),
         usual("before its slanted face", [5, 1.5, 6], *mesh),
-        usual("beyond a corner", [8, 5, 1.5], *mesh),
+        usual("beyond a corner", [8, 5.5, 0.25], *mesh),
         usual("beyond an edge", [3, -3, 1], *mesh),
         usual("beyond the corner of a cube by 1 m along each axis", [2, 2, 2], CUBE, CUBE_FACES),
         usual("beyond its edge, more to one side", [0.25, 4, 2], CUBE, CUBE_FACES),
