@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from solutions import as_printed
-from solutions.polyhedra import inside_by_parity, orient2d, winding_number
+from solutions.polyhedra import inside_by_parity, orient2d, side_of_line, winding_number
 
 INSIDE, WRONG, OUTSIDE = "#0072b2", "#d55e00", "#999999"
 CORNERS = np.array([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], dtype=float)
@@ -119,9 +119,7 @@ def doubtful_signs(figure: Figure) -> None:
     """
     i, j = np.meshgrid(*2 * [np.arange(256)], indexing="ij")
     p, q, r = 0.5 + np.stack([i, j], axis=-1) * 2.0**-53, np.array([12.0, 12.0]), np.array([24.0, 24.0])
-    u, v = q - p, r - p
-    plain = np.sign(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
-    exact = orient2d(p, q, r)
+    plain, exact = side_of_line(p, q, r), orient2d(p, q, r)
     signs = ((plain, f"Plain: {np.sum(plain != exact)} wrong"), (exact, "Exact where it must be"))
     for axes, (sign, title) in zip(figure.subplots(1, 2, sharey=True), signs, strict=True):
         axes.imshow(sign.T, origin="lower", cmap="cividis", vmin=-1, vmax=1, interpolation="nearest")

@@ -21,10 +21,11 @@ def convex_separation(
     vertices: ArrayLike,
     faces: ArrayLike,
 ) -> tuple[Array, Integers]:
-    """How far a point is in front of a convex polyhedron, and of which face (slide 9).
+    """How far a point is in front of a convex polyhedron (slide 9).
 
-    The separation is the largest signed height of the point above the planes of the
-    faces. It is negative within the solid.
+    The separation is the signed height of the point above the plane of one
+    face: the face that decides whether the point is inside. The separation is
+    negative within the solid, zero on its surface and positive outside.
 
     Parameters
     ----------
@@ -36,20 +37,21 @@ def convex_separation(
     Returns
     -------
     separation : (...), m
-        Within the solid, −separation is the depth: the length of the way out through
-        the nearest face. Outside, the separation is the distance to the solid where the
-        nearest point of the solid is on a face. Where that nearest point is on an edge
-        or at a vertex, the point is farther away than the separation.
-    face : (...), index of the face above which the point is highest
+        Within the solid, −separation is the depth: the length of the way out
+        through the nearest face. Outside, the separation is the distance to
+        the solid where the nearest point of the solid is on a face. Where that
+        nearest point is on an edge or at a vertex, the point is farther away
+        than the separation.
+    face : (...), index of the face that decides
         If several faces are equal, this is the first of them.
 
     Raises
     ------
     ValueError
-        If the solid is not convex or is turned inside out, because the slide's test is
-        wrong for such a solid. If a face has no area, there is no face, vertices are
-        not finite or do not fit the faces, or a point is not finite or does not have
-        three components.
+        If the solid is not convex or is turned inside out, because the slide's
+        test is wrong for such a solid. If a face has no area, there is no face,
+        vertices are not finite or do not fit the faces, or a point is not
+        finite or does not have three components.
 
     Notes
     -----
@@ -57,19 +59,20 @@ def convex_separation(
 
         s = max over the faces of n·p + d
 
-    The plane of a face is n·x + d = 0, and its unit normal n points outwards. So
-    n·p + d is the height of the point p above that plane, and it is negative behind the
-    plane. A convex solid is what lies behind all of these planes at once. The point is
-    therefore within the solid exactly when even the largest height s is negative.
+    The plane of a face is n·x + d = 0, and its unit normal n points outwards.
+    So n·p + d is the height of the point p above that plane, and it is negative
+    behind the plane. A convex solid is what lies behind all of these planes at
+    once. The point is therefore within the solid exactly when even the largest
+    height s is negative.
 
-    Within the solid, the largest height belongs to the nearest plane, because all
-    heights are negative. The ball of radius −s around the point goes through no plane,
-    so it stays within the solid and touches it where it touches the nearest plane. The
-    way out is therefore −s long.
+    Within the solid, the largest height belongs to the nearest plane, because
+    all heights are negative. The ball of radius −s around the point goes
+    through no plane, so it stays within the solid and touches it where it
+    touches the nearest plane. The way out is therefore −s long.
 
-    Outside, the whole solid is behind the plane of the face found, so it is at least s
-    away. It is exactly s away where the perpendicular from the point to that plane ends
-    on the face itself.
+    Outside, the whole solid is behind the plane of the face found, so it is at
+    least s away. It is exactly s away where the perpendicular from the point to
+    that plane ends on the face itself.
     """
     p = finite("point", vector("point", point))
     normal, offset = _convex_planes(vertices, faces)
@@ -151,13 +154,16 @@ def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]
     if not len(f):
         raise ValueError("faces must not be empty: a polyhedron without faces has no inside")
     normal, offset = face_planes(v, f)
-    corners = v[np.unique(f)]  # vertices of no face do not count
+    _refuse_concave(v[np.unique(f)], normal, offset)  # vertices of no face do not count
+    return normal, offset
+
+
+def _refuse_concave(corners: Array, normal: Array, offset: Array) -> None:
     height, face = _most_in_front(corners, normal, offset)
     if height > FLAT * size_of(corners):
         raise ValueError(
             f"faces must bound a convex solid and look outwards: a vertex is {height:g} m before face {face}"
         )
-    return normal, offset
 
 
 def _most_in_front(corners: Array, normal: Array, offset: Array) -> tuple[float, int]:

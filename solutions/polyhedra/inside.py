@@ -12,12 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.polyhedra.solid_angles import winding_of_mesh
+from solutions.polyhedra.solid_angles import FAR, solid_angle, winding_of_mesh
 from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
 from solutions.scaling import in_moderate_units, in_unit
 
-FAR = 2.0**300
-"""From farther away than this many sizes of a mesh, its solid angle is below 1e-180."""
+FEW = 10_000
+"""Up to so many coordinates of points, times the number of faces, solid angles are summed as they are."""
 
 
 def inside_by_parity(
@@ -25,10 +25,10 @@ def inside_by_parity(
     vertices: ArrayLike,
     faces: ArrayLike,
 ) -> NDArray[np.bool_]:
-    """Whether a ray from a point crosses the surface an odd number of times (slide 9).
+    """Whether a point is in a closed polyhedron, convex or not (slide 9).
 
-    If it does, the point is inside. The answer is right at any distance from the
-    surface, because all signs are exact.
+    A ray from the point, in any one direction, decides. It may meet faces, but
+    also edges and vertices, and it may run along a face.
 
     Parameters
     ----------
@@ -40,30 +40,45 @@ def inside_by_parity(
     Returns
     -------
     (...), bool
-        A point on the surface is inside when a move by (ε, ε², ε³), with an ε smaller
-        than any float, takes it inside. So if solids fill space face to face, exactly
-        one of them has the point. Where a surface goes through itself, what it encloses
-        twice is outside.
+        The result is right at any distance from the surface, because all signs
+        are exact (`orient2d`, `orient3d`). Where a surface goes through itself,
+        what it encloses twice is outside.
+
+        A point on the surface is inside when a move by (ε, ε², ε³), with an ε
+        smaller than any float, takes it inside. So if solids fill space face to
+        face, exactly one of them has the point. The lab asks for points that
+        are off the surface alone.
 
     Raises
     ------
     ValueError
-        If the surface is open. It then has no inside, and the answer of a ray would
-        depend on its direction. If a point is not finite or does not have three
-        components, or vertices are not finite or do not fit the faces.
+        If the surface is open, so that an edge has an odd number of faces. An
+        open surface has no inside, and the answer of a ray would depend on its
+        direction. If a point is not finite or does not have three components,
+        or vertices are not finite or do not fit the faces.
 
     Notes
     -----
-    The ray goes up, along +z. Far up it is outside, and each time it crosses the
-    surface it changes from one side to the other. So it starts inside exactly when it
-    crosses the surface an odd number of times.
+    The ray goes up, along +z. Far up it is outside, and each time it crosses
+    the surface it changes from one side to the other. So it starts inside
+    exactly when it crosses the surface an odd number of times.
 
-    Counting faces goes wrong where the ray meets an edge or a vertex, because it would
-    be counted once for each face there. A ray along a face would not be counted at all.
-    So think of the point as moved by (ε, ε², ε³), with an ε smaller than any float. The
-    ray from the moved point meets neither an edge nor a vertex. The move is also too
-    small to take a point that is off the surface to the other side of the surface. All
-    signs are found exactly (`orient2d`, `orient3d`), and so the count is exact too.
+    Counting faces goes wrong where the ray meets an edge or a vertex, because
+    it would be counted once for each face there. A ray along a face would not
+    be counted at all. So think of the point as moved by (ε, ε², ε³), with an ε
+    smaller than any float. The ray from the moved point meets neither an edge
+    nor a vertex. The move is also too small to take a point that is off the
+    surface to the other side of the surface.
+
+    Seen from above, the moved point is left of the edge from a to b where
+
+        (b − a)×(p + (ε, ε²) − a) > 0
+
+    The cross product is that of the point itself, plus ε (a_y − b_y), plus
+    ε² (bₓ − aₓ). The largest term that is not zero decides: first the sign of
+    `orient2d`, then that of a_y − b_y, then that of bₓ − aₓ. The ray's line goes
+    through the face if the moved point is on the same side of all three edges.
+    The ray itself does if the face is above its start, as `orient3d` says.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
@@ -78,9 +93,10 @@ def inside_by_parity(
 
 
 def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> Array:
-    """How often a surface goes round a point (slide 9; Jacobson et al. 2013).
+    """How often a surface goes round a point (slide 9).
 
-    It is the sum of the solid angles of all faces, as seen from the point, over 4π.
+    Where `inside_by_parity` needs a closed surface, this number has a meaning
+    for any triangles (Jacobson et al. 2013).
 
     Parameters
     ----------
@@ -92,49 +108,47 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     Returns
     -------
     (...)
-        For a closed surface it is 1 inside and 0 outside. It is −1 inside a surface
-        whose faces look inwards, and 2 where a surface encloses the point twice. A
-        surface with holes gives a fraction. On a closed surface it is the part of a
-        small ball around the point that is inside: 1/2 on a face, 1/8 at the corner of
-        a cube. This holds where the computed plane of the face goes through the point
-        exactly; where rounding moves the plane off the point, the result is a whole
-        number.
+        For a closed surface it is 1 inside and 0 outside. It is −1 inside a
+        surface whose faces look inwards, and 2 where a surface encloses the
+        point twice. A surface with holes gives a fraction, and a mesh without
+        faces gives 0. On a closed surface it is the part of a small ball around
+        the point that is inside: 1/2 on a face, 1/8 at the corner of a cube.
+        This holds where the computed plane of the face goes through the point
+        exactly; where rounding moves the plane off the point, the result is a
+        whole number.
 
     Raises
     ------
     ValueError
-        If a point is not finite or does not have three components, or vertices are not
-        finite or do not fit the faces.
+        If a point is not finite or does not have three components, or vertices
+        are not finite or do not fit the faces.
 
     Notes
     -----
-    Let a, b and c be the vectors from the point to the corners of a face. The solid
-    angle Ω of the face follows from (van Oosterom and Strackee 1983)
+    It is the sum of the solid angles Ω of all faces, as seen from the point
+    (`solid_angle`), over that of the whole sphere:
 
-        tan(Ω/2) = a·(b×c) / (‖a‖‖b‖‖c‖ + (a·b)‖c‖ + (b·c)‖a‖ + (c·a)‖b‖)
+        w = Σ Ω / 4π
 
-    The numerator gives Ω its sign. Ω is positive for a face whose back the point sees,
-    and negative for a face whose front it sees.
+    From inside a closed surface, every direction meets one back more than it
+    meets fronts. The solid angles therefore add up to the whole sphere, which
+    is 4π. From outside, every direction meets as many fronts as backs, and the
+    sum is zero.
 
-    From inside a closed surface, every direction meets one back more than it meets
-    fronts. The solid angles therefore add up to the whole sphere, which is 4π. From
-    outside, every direction meets as many fronts as backs, and the sum is zero.
-
-    For many points the sum is shortened (`winding_of_mesh`). It stays the same up to
-    rounding, which is some 10⁻¹³ for a thousand faces. A part of the mesh is replaced
-    by faces with the same rim, so a closed mesh saves most. Where a third of the faces
-    is missing all over a mesh, every part has a long rim and nothing is saved. Then
-    1000 points and 7000 faces take about half a second, and the time grows with the
-    product of both numbers. `fast_winding_number` of libigl takes distant faces
-    together. It is some forty times as fast there, and right to a hundredth.
+    For many points or faces the sum is shortened (`winding_of_mesh`). It stays
+    the same up to rounding, which is some 10⁻¹³ for a thousand faces. A part of the mesh
+    is replaced by faces with the same rim, so a closed mesh saves most. Where a
+    third of the faces is missing all over a mesh, every part has a long rim and
+    nothing is saved. Then 1000 points and 7000 faces take about half a second,
+    and the time grows with the product of both numbers. `fast_winding_number`
+    of libigl takes distant faces together. It is some forty times as fast
+    there, and right to a hundredth.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
-    if not len(f):
-        return np.zeros(p.shape[:-1])
-    coordinates, _, metre = in_moderate_units(v.reshape(-1))
-    rows = np.clip(in_unit(p.reshape(-1, 3), metre, 0), -FAR, FAR)
-    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(p.shape[:-1])
+    if p.size * len(f) > FEW:
+        return _around_many(p, v, f)
+    return np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi)
 
 
 def inside_by_winding(
@@ -167,6 +181,13 @@ def inside_by_winding(
         finite or do not fit the faces.
     """
     return np.asarray(np.abs(winding_number(point, vertices, faces)) > 0.5)
+
+
+def _around_many(p: Array, v: Array, f: Integers) -> Array:
+    """The winding number around many points, or of many faces, by a shortened sum."""
+    coordinates, _, metre = in_moderate_units(v.reshape(-1))
+    rows = np.clip(in_unit(p.reshape(-1, 3), metre, 0), -FAR, FAR)
+    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(p.shape[:-1])
 
 
 def _refuse_open(vertices: Array, faces: Integers) -> None:

@@ -68,22 +68,30 @@ def polyhedra_intersect(
     Returns
     -------
     bool
-        True also where the solids only touch. A solid that lies in the hollow of the
-        other is not in it: False.
+        It is True also where the solids only touch, and where one of them lies
+        within the other. A solid that lies in the hollow of the other is not in
+        it: False. Vertices of no face do not count. A mesh without faces has
+        nothing in common with anything.
 
     Raises
     ------
     ValueError
-        If a surface is open, or the vertices of a mesh are not finite or do not fit its
-        faces.
+        If a surface is open, or the vertices of a mesh are not finite or do not
+        fit its faces.
 
     Notes
     -----
-    Suppose that the two solids have a point in common. Either their surfaces meet as
-    well. Then two faces meet, and an edge of one meets a face of the other
-    (`edges_through_faces`). Or the surfaces do not meet. Then a whole part of one solid
-    is inside the other, and so are its vertices (`inside_by_parity`). The function
-    looks for both, in A and in B.
+    Suppose that the two solids have a point in common. Either their surfaces
+    meet as well. Then two faces meet, and an edge of one meets a face of the
+    other (`edges_through_faces`). Or the surfaces do not meet. Then a whole
+    part of one solid is inside the other, and so are its vertices
+    (`inside_by_parity`). The function looks for both, in A and in B.
+
+    Neither half will do by itself. A bar pushed through a cube has no vertex in
+    the cube, and the cube has none in the bar. A small cube within a large one
+    meets none of its faces. Nor will the edges of A alone: where a bar goes
+    through the middle of a large face, its own edges go through that face, but
+    no edge of the face goes through the bar.
     """
     a, b = checked_mesh(vertices_a, faces_a), checked_mesh(vertices_b, faces_b)
     inside = [np.any(inside_by_parity(one[0][np.unique(one[1])], *other)) for one, other in ((a, b), (b, a))]

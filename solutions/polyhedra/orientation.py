@@ -1,6 +1,6 @@
-"""Exact signs that say on which side a point is, without rounding (slide 9).
+"""Signs that say on which side a point is: in plain floats, and exact (slide 9).
 
-These signs decide whether something is inside.
+The exact signs decide whether something is inside.
 """
 
 from __future__ import annotations
@@ -29,6 +29,50 @@ UNDERFLOW = 1e-200
 """Products this small may have lost digits at the lower end of the floats."""
 LOOKS = ([1, 2], [2, 0], [0, 1])
 """The two coordinates that are left when looking along x, y and z."""
+
+
+def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
+    """Whether c is left of the line from a to b (+1), on it (0) or right (−1).
+
+    It is the sign of a number that is calculated in floats as it comes. Close
+    to the line, rounding may turn the sign; `orient2d` gives the exact one.
+
+    Parameters
+    ----------
+    a, b, c : (..., 2), m, up to 1e100
+        Left is where you have it when you stand at a and look towards b, with
+        x to the right and y up on the page.
+
+    Returns
+    -------
+    (...), 1, 0 or −1
+        It is also 0 where a = b.
+
+    Raises
+    ------
+    ValueError
+        If a coordinate is not finite, or a point does not have two coordinates.
+
+    Notes
+    -----
+    The result is the sign of
+
+        (b − a)×(c − a) = (bₓ − aₓ)(c_y − a_y) − (b_y − a_y)(cₓ − aₓ)
+
+    This is twice the signed area of the triangle a, b, c: ‖b − a‖ times the
+    height of c above the line, positive on the left. The same number is the
+    determinant of the matrix whose rows are b − a and c − a.
+
+    Each difference and each product is rounded. The two products are nearly
+    equal where c is close to the line, and then the rounding of one of them
+    decides the sign of their difference. Of 256 × 256 neighbouring points
+    beside a diagonal, 11 972 get the wrong sign when the differences are taken
+    from the first corner (Kettner et al. 2008). The count is another one for
+    another corner.
+    """
+    a, b, c = _points(2, a=a, b=b, c=c)
+    (along_x, along_y), (to_x, to_y) = np.moveaxis(b - a, -1, 0), np.moveaxis(c - a, -1, 0)
+    return np.sign(along_x * to_y - along_y * to_x).astype(np.int64)
 
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:

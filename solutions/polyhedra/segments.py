@@ -66,12 +66,9 @@ def segment_triangle(
     end: ArrayLike,
     triangle: ArrayLike,
 ) -> tuple[Array, Array]:
-    """Where along a segment, and where on a triangle, the two first meet (slide 9).
+    """Where along a segment, and where on a triangle, the two first meet.
 
-    This is the test of an edge against a face. The function decides exactly whether
-    they meet (`segment_meets_triangle`); borders and ends count. Where they meet is
-    rounded. The segment's point and the triangle's point are the same up to rounding,
-    even if the segment is nearly in the plane of the triangle.
+    This is the test of an edge against a face (slide 9).
 
     Parameters
     ----------
@@ -82,30 +79,50 @@ def segment_triangle(
     Returns
     -------
     fraction : (...), t, 0 to 1 along the segment
-        A segment in the triangle's plane meets it along a stretch, and t is where that
-        stretch begins. It is infinity where they do not meet.
+        The point where they meet is start + t (end − start). The fraction is
+        infinite where they do not meet, as for a segment that runs beside the
+        triangle's plane.
     barycentric : (..., 3), weights of the triangle's corners at that point
-        Each is from 0 to 1, and their sum is 1. They are NaN where the two do not meet.
+        Each is from 0 to 1, and their sum is 1. The weights times the corners
+        add up to the same point. They are NaN where the two do not meet.
+
+        The lab asks for general position alone: the ends of the segment are
+        off the triangle's plane, and the segment passes the triangle's sides at
+        a distance. The solution also decides the other cases, and exactly
+        (`segment_meets_triangle`): borders and ends count, and a segment in the
+        triangle's plane meets it first where the stretch that they share
+        begins.
 
     Raises
     ------
     ValueError
-        If a triangle's area is too small for floats to tell it from zero, a number is
-        not finite, or a shape does not fit.
+        If a triangle's area is too small for floats to tell it from zero, a
+        number is not finite, or a shape does not fit.
 
     Notes
     -----
-    There are two candidates for t. The first is where the segment goes through the
-    plane, as in `segment_plane`. Rounding can move it far along a segment that is
-    nearly in the plane. So the second candidate is the same t, kept between where the
-    segment enters the triangle's sides and where it leaves them. If the segment is in
-    the plane, both candidates are where it enters.
+    With s₀ and s₁ for the heights of start and end above the plane of the
+    triangle, the segment goes through the plane at the share t = s₀/(s₀ − s₁)
+    (`segment_plane`), if s₀ and s₁ do not have the same sign. The point x found
+    there makes a triangle with each side of the triangle a, b, c. The weights
+    are the shares of these three areas,
 
-    The weights of a candidate are the areas of the three triangles that it makes with
-    the sides, over their sum. They give a point of the triangle. The function takes the
-    candidate whose point on the triangle is nearest to its point on the segment.
+        w_a = n·((b − x)×(c − x)) / n·n,    n = (b − a)×(c − a)
+
+    and so on round the triangle. An area is negative where x is beyond that
+    side, so x is on the triangle if no weight is negative. Weights give the
+    same point as x does, because each is linear in x, and it is 1 at its own
+    corner and 0 at the other two.
+
+    Rounding can move t far along a segment that is nearly in the plane. So
+    there is a second candidate for t: the same t, kept between where the
+    segment enters the triangle's sides and where it leaves them. If the segment
+    is in the plane, both candidates are where it enters. The weights of a
+    candidate are the areas, none below 0, over their sum, and they give a point
+    of the triangle. The function takes the candidate whose point on the
+    triangle is nearest to its point on the segment.
     """
-    p, q, corners = _in_moderate_units(*_checked(start, end, triangle))
+    p, q, corners = _in_moderate_units(*_side_by_side(start, end, triangle))
     a, b, c = (corners[..., k, :] for k in range(3))
     normal = np.cross(b - a, c - a)
     if np.any(np.all(normal == 0, axis=-1)):
@@ -154,7 +171,7 @@ def segment_meets_triangle(
     are apart if a line along one of the triangle's sides, or along the segment,
     separates them.
     """
-    p, q, corners = _checked(start, end, triangle)
+    p, q, corners = _side_by_side(start, end, triangle)
     shape = p.shape[:-1]
     p, q, (a, b, c) = p.reshape(-1, 3), q.reshape(-1, 3), np.moveaxis(corners.reshape(-1, 3, 3), 1, 0)
     side_p, side_q = orient3d(a, b, c, p), orient3d(a, b, c, q)
@@ -165,7 +182,7 @@ def segment_meets_triangle(
     return np.asarray(meets.reshape(shape))
 
 
-def _checked(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
+def _side_by_side(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
     p, q = finite("start", vector("start", start)), finite("end", vector("end", end))
     corners = matrix("triangle", triangle)
     shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])

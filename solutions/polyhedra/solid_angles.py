@@ -1,4 +1,6 @@
-"""The winding number of a mesh around many points: sums of solid angles.
+"""Solid angles of triangles, and the winding number of a mesh around many points.
+
+The winding number is a sum of solid angles.
 
 A part of the mesh that a point is well away from is replaced by fewer faces with the
 same rim. The sum stays the same up to rounding (Jacobson et al. 2013).
@@ -7,9 +9,15 @@ same rim. The sum stays the same up to rounding (Jacobson et al. 2013).
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
+from solutions.checks import in_space, matrix
 from solutions.polyhedra.surface import blocks, directed_edges
+from solutions.scaling import in_moderate_units, in_unit
+
+FAR = np.float64(2.0**300)
+"""From farther away than this many sizes of a mesh, its solid angle is below 1e-180."""
 
 FEW_FACES = 8
 FEW_POINTS = 150
@@ -26,6 +34,53 @@ MARGIN = 2.0**-10
 """How far beyond the box of a part a point must be, as a share of the box's size."""
 IN_CACHE = 4
 """By how much blocks are smaller here, so that a block's arrays fit in the cache."""
+
+
+def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
+    """The solid angle of a triangle as seen from a point (slide 9).
+
+    It is the area of the triangle's image on a sphere of radius 1 around the
+    point. The whole sphere has 4π.
+
+    Parameters
+    ----------
+    point : (..., 3), m
+    triangle : (..., 3, 3), its corners, m
+
+    Returns
+    -------
+    (...), −2π to 2π, sr
+        It is positive if the point sees the back of the triangle, and negative
+        if the point sees its front: the side from which the corners run
+        counter-clockwise. It is 0 where the point is in the triangle's plane,
+        also on the triangle itself, and for a triangle without area.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite, or a shape does not fit.
+
+    Notes
+    -----
+    Let a, b and c be the vectors from the point to the corners. The solid angle
+    Ω follows from (van Oosterom and Strackee 1983)
+
+        tan(Ω/2) = a·(b×c) / (‖a‖‖b‖‖c‖ + (a·b)‖c‖ + (b·c)‖a‖ + (c·a)‖b‖)
+
+    The numerator gives Ω its sign. It is computed as a·((b − a)×(c − a)), which
+    is the same, because the normal of the triangle does not depend on the
+    point: so the numerator is exactly zero wherever that plane goes through the
+    point. The denominator is negative where Ω is more than π, and the function
+    of the arc takes both with their signs.
+    """
+    p, corners = in_space("point", point), matrix("triangle", triangle)
+    coordinates, _, metre = in_moderate_units(corners.reshape(*corners.shape[:-2], 9))
+    p = np.clip(in_unit(p, metre), -FAR, FAR)
+    first, second, third = np.moveaxis(coordinates.reshape(corners.shape), -2, 0)
+    normal = np.moveaxis(np.cross(second - first, third - first), -1, 0)
+    a, b, c = (np.moveaxis(corner - p, -1, 0) for corner in (first, second, third))
+    la, lb, lc = (np.sqrt(_dot(x, x)) for x in (a, b, c))
+    return 2 * _half_angle(_dot(a, normal), (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a)))
 
 
 def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
@@ -122,8 +177,13 @@ def _half_solid_angles(point: Array, vertices: Array, faces: Integers, normal: A
     a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
     la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
     volume = _dot(a, normal.T[:, None])  # a·(b×c), with b − a and c − a for b and c
-    below = (la * lb + _dot(a, b)) * lc + _dot(b, c) * la + _dot(c, a) * lb
-    return np.where(volume == 0, 0.0, np.arctan2(volume, below))
+    return _half_angle(volume, (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a)))
+
+
+def _half_angle(volume: Array, lengths: tuple[Array, Array, Array], products: tuple[Array, Array, Array]) -> Array:
+    """Ω/2 from a·(b×c), from the lengths of a, b and c, and from a·b, b·c and c·a."""
+    (la, lb, lc), (ab, bc, ca) = lengths, products
+    return np.where(volume == 0, 0.0, np.arctan2(volume, (la * lb + ab) * lc + bc * la + ca * lb))
 
 
 def _dot(a: Array, b: Array) -> Array:

@@ -51,7 +51,8 @@ def checked_mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Integers
 def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
     """Plane n·p + d = 0 of every face, with its normal pointing outwards.
 
-    Outwards is the side from which the corners are seen to run counter-clockwise.
+    Outwards is the side from which the corners a, b, c of a face are seen to
+    run counter-clockwise.
 
     Parameters
     ----------
@@ -62,12 +63,13 @@ def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
     -------
     normal : (f, 3), n, of unit length
     offset : (f,), d, m
+        Both are empty for a mesh without faces.
 
     Raises
     ------
     ValueError
-        If a face has no area and hence no plane, or vertices are not finite or do not
-        fit the faces.
+        If a face has no area and hence no plane, or vertices are not finite or
+        do not fit the faces.
 
     Notes
     -----

@@ -20,6 +20,7 @@ from solutions.polyhedra import (
     segment_meets_triangle,
     segment_plane,
     segment_triangle,
+    side_of_line,
     signed_volume,
 )
 
@@ -63,6 +64,24 @@ CUBE_FACES = np.array([*LOW_Z, *HIGH_Z, *LOW_Y, *HIGH_Y, *LOW_X, *HIGH_X])
 
 
 # Signs
+
+
+def test_the_plain_side_of_a_line_is_the_exact_one_away_from_it():
+    a, b = np.array([0.5, -1.25]), np.array([3.0, 0.75])
+    along, aside = np.random.default_rng(4).uniform(-9, 9, (2, 200, 1))
+    c = a + along * (b - a) + aside * [-2, 2.5]
+    assert side_of_line(a, b, c).tolist() == np.sign(aside[:, 0]).tolist() == orient2d(a, b, c).tolist()
+    assert side_of_line(b, a, c).tolist() == (-np.sign(aside[:, 0])).tolist()
+    assert side_of_line([[0, 0], [1, 2]], [2, 4], [[3, 6], [1, 2]]).tolist() == [0, 0]
+
+
+@pytest.mark.statement(9, oracle="Kettner et al. (2008)")
+def test_close_to_a_diagonal_the_plain_side_of_a_line_is_wrong_for_one_point_in_five():
+    close = 0.5 + np.stack(np.indices((256, 256)), axis=-1) * 2.0**-53
+    q, r = [12.0, 12.0], [24.0, 24.0]
+    assert np.sum(side_of_line(close, q, r) != orient2d(close, q, r)) == 11972
+    # the differences are taken from the first corner, so another one gives another count
+    assert np.sum(side_of_line(q, r, close) != orient2d(q, r, close)) == 5752
 
 
 @pytest.mark.statement(9, oracle="exact fractions")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from oracles import oracle
 
-from solutions.polyhedra import inside_by_parity, winding_number
+from solutions.polyhedra import inside_by_parity, solid_angle, winding_number
 
 solid_angles = importlib.import_module("solutions.polyhedra.solid_angles")
 RNG = np.random.default_rng(8)
@@ -47,6 +47,37 @@ MESHES = {
 }
 LOW, HIGH = VERTICES.min(axis=0), VERTICES.max(axis=0)
 POINTS = RNG.uniform(LOW - 0.3, HIGH + 0.3, (400, 3))
+
+
+@pytest.mark.statement(9, oracle="closed forms")
+def test_a_solid_angle_is_that_of_an_octant_or_of_a_half_square():
+    octant = np.eye(3)[[0, 2, 1]]  # seen from the origin its front, and from beyond its back
+    assert solid_angle([0, 0, 0], octant) == pytest.approx(-np.pi / 2, rel=1e-14)
+    assert solid_angle([0, 0, 0], octant[::-1]) == pytest.approx(np.pi / 2, rel=1e-14)
+    # a square of half side s at the height h: 4 arcsin(s²/(s² + h²)), whatever the unit of length
+    s, h = 0.7, 0.3
+    square = np.array([[-s, -s, h], [s, -s, h], [s, s, h], [-s, s, h]])
+    for unit in (1e-200, 1.0, 1e200):
+        halves = solid_angle([0, 0, 0], unit * square[[[0, 1, 2], [0, 2, 3]]])
+        assert np.sum(halves) == pytest.approx(4 * np.arcsin(s**2 / (s**2 + h**2)), rel=1e-14)
+        assert halves[0] == pytest.approx(halves[1], rel=1e-13)
+
+
+def test_a_solid_angle_is_zero_in_the_plane_of_the_triangle():
+    triangle = np.array([[1, 0, 2], [4, 1, 3], [2, 5, 1.0]])
+    weights = np.array([[1, 0, 0], [0.5, 0.5, 0], [0.25, 0.25, 0.5], [2, -0.5, -0.5]])
+    assert solid_angle(weights @ triangle, triangle).tolist() == [0, 0, 0, 0]
+    assert solid_angle([0, 0, 0], triangle[[0, 1, 1]]) == 0
+    just_behind = solid_angle(triangle.mean(axis=0) - 1e-9 * np.array([-3, -2, 14.0]), triangle)
+    assert just_behind == pytest.approx(2 * np.pi, abs=1e-7)
+
+
+@pytest.mark.statement(9, oracle="the sum of the solid angles of all faces")
+@pytest.mark.parametrize("name", MESHES)
+def test_a_winding_number_is_a_sum_of_solid_angles(name):
+    vertices, faces = MESHES[name]
+    angles = solid_angle(POINTS[:40, None], vertices[faces])
+    assert winding_number(POINTS[:40], vertices, faces) == pytest.approx(angles.sum(axis=1) / (4 * np.pi), abs=1e-13)
 
 
 @pytest.fixture

@@ -17,6 +17,9 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "apply_impulse": _VELOCITIES,
     "collide": _VELOCITIES,
     "audit": ("ΔP", "ΔL", "ΔE"),
+    "face_planes": ("normal", "offset"),
+    "convex_separation": ("separation", "face"),
+    "segment_triangle": ("fraction", "barycentric"),
 }
 
 

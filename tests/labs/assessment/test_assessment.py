@@ -23,26 +23,36 @@ BANK_ENTRY = {
     ("impulse", "crates"): "edge_edge_normal/as they run",
     ("impulse", "hammer"): "inverse_effective_mass/only A turns",
     ("impulse", "aircraft"): "world_inverse_inertia/turned the other way",
+    ("polyhedra", "crates"): "convex_separation/nearest plane",
+    ("polyhedra", "statue"): "winding_number/unsigned angles, cut at one",
+    ("polyhedra", "garden"): "inside_by_parity/border left out",
 }
+TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
-    "distance": ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
-    "hail": (0.5, 2.0, -10.0),
-    "gallery": (-0.5, 2.0, 0.1, 0.1, 1.0),
-    "crates": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
-    "hammer": (
+    ("detection", "distance"): ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
+    ("detection", "hail"): (0.5, 2.0, -10.0),
+    ("detection", "gallery"): (-0.5, 2.0, 0.1, 0.1, 1.0),
+    ("impulse", "crates"): ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
+    ("impulse", "hammer"): (
         ([0, 0, -1], [0, 0, 0], [0, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
         ([0, 0, 0], [0, 0, 0], [0.5, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
         [0, 0, 1],
     ),
-    "aircraft": ([1.0, 2.0, 4.0], [0.8, 0.4, 0.4, 0.2]),
+    ("impulse", "aircraft"): ([1.0, 2.0, 4.0], [0.8, 0.4, 0.4, 0.2]),
+    ("polyhedra", "crates"): ([2.0, 0.1, 0.1], *TETRAHEDRON),
+    ("polyhedra", "statue"): ([2.0, 1.0, 1.0], *TETRAHEDRON),
+    ("polyhedra", "garden"): ([-0.5, -0.5, 0.1], [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, 1]], TETRAHEDRON[1]),
 }
 HARMLESS = {
-    "distance": ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
-    "hail": (0.5, -2.0, -10.0),
-    "gallery": (0.5, -2.0, 0.1, 0.1, 1.0),
-    "crates": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
-    "hammer": (EXPOSING["hammer"][1], EXPOSING["hammer"][0], [0, 0, 1]),
-    "aircraft": ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
+    ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
+    ("detection", "hail"): (0.5, -2.0, -10.0),
+    ("detection", "gallery"): (0.5, -2.0, 0.1, 0.1, 1.0),
+    ("impulse", "crates"): ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
+    ("impulse", "hammer"): (EXPOSING["impulse", "hammer"][1], EXPOSING["impulse", "hammer"][0], [0, 0, 1]),
+    ("impulse", "aircraft"): ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
+    ("polyhedra", "crates"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
+    ("polyhedra", "statue"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
+    ("polyhedra", "garden"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
 }
 SEVERAL = (
     ("detection", "hail", ([1.0], -1.0, -9.81)),
@@ -50,7 +60,7 @@ SEVERAL = (
     ("impulse", "crates", ([[1, 0, 0]] * 2, [[0, 1, 0]] * 2, [0, 0, 1], [0, 0, 0])),
     ("impulse", "aircraft", ([1, 1, 1], [[1, 0, 0, 0]] * 2)),
 )
-EVERY = [(topic, suspect) for topic in ("detection", "impulse") for suspect in exposures.suspects(topic)]
+EVERY = [(topic, suspect) for topic in ("detection", "impulse", "polyhedra") for suspect in exposures.suspects(topic)]
 
 
 def right(name):
@@ -71,8 +81,8 @@ def test_numbers_depend_on_the_student_and_the_question_alone():
 
 @pytest.mark.parametrize(("topic", "suspect"), EVERY, ids=lambda each: getattr(each, "key", each))
 def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
-    assert exposures.tried(suspect, EXPOSING[suspect.key], right(suspect.function)).exposed
-    harmless = exposures.tried(suspect, HARMLESS[suspect.key], right(suspect.function))
+    assert exposures.tried(suspect, EXPOSING[topic, suspect.key], right(suspect.function)).exposed
+    harmless = exposures.tried(suspect, HARMLESS[topic, suspect.key], right(suspect.function))
     assert not harmless.exposed
     assert harmless.said.startswith("Both give")
 

@@ -23,6 +23,8 @@ UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones.
 LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
 NOT_NEGATIVE = "What the size is taken of is never negative."
 
+ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
+
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "side_of_plane": {NOT_NEGATIVE: ("size for it: … → np.abs((s > tolerance).astype(np.int64)) - (s < -tolerance)",)},
     "time_of_impact_interpolated": {
@@ -224,6 +226,122 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in impulse_magnitude: boundary: k > 0 → k >= 0",
             "in impulse_magnitude: condition dropped: k > 0 → always(k > 0)",
         ),
+    },
+    "face_planes": {
+        "Any corner of the face will do.": ("one for the other: a → b (2)", "one for the other: a → b (3)")
+    },
+    "convex_separation": {
+        ANY_NEGATIVE: ("twice the number: 1 → 2",),
+        NOT_NEGATIVE: ("size for it: (separation…, face…) → (separation…, np.abs(face…",),
+        "Any corner of the face will do.": (
+            "in face_planes: one for the other: a → b (2)",
+            "in face_planes: one for the other: a → b (3)",
+        ),
+    },
+    "segment_triangle": {
+        "The area of a triangle is the same from each of its corners.": ("one for the other: a → b (2)",),
+        "In general position both candidates are the same.": (
+            "…: np.linalg.norm(weights @ corners - places, axis=-1) → …",
+            "term dropped: weights @ corners - places → …",
+            "sign flipped: weights @ corners - places → …",
+            "size for it: weights @ corners - places → …",
+            "factor forgotten: weights @ corners → weights",
+            "only the diagonal: weights @ corners → …",
+        ),
+        NOT_NEGATIVE: ("size for it: (np.where(meets, fraction, np.inf), …",),
+    },
+    "_candidates": {
+        "In general position the segment is not in the plane, and both candidates are the same.": (
+            "condition dropped: …orient3d(…",
+            "and for or: …",
+            "comparison turned round: orient3d(…",
+            "one for the other: a → b",
+            "one for the other: b → a",
+            "one for the other: a → b (2)",
+            "one for the other: b → a (2)",
+            "branch dropped: np.where(flat… → shaped(np.stack(…",
+            "another function: np.minimum(first, last) → …",
+            "limit dropped: …",
+            "one for the other: first → …",
+            "one for the other: last → …",
+        ),
+        "Every corner of the triangle is in its plane.": (
+            "one for the other: a → b (3)",
+            "one for the other: a → b (4)",
+        ),
+        NOT_NEGATIVE: ("size for it: np.where(flat…",),
+    },
+    "_weights": {
+        "The three areas are in one plane, and seen along any axis they have the same shares.": (
+            "axis …: np.vecdot(normal…",
+            "axis …: np.cross(following… → without(…",
+        ),
+        "Within the triangle no area is negative.": (
+            "limit dropped: np.maximum(areas, 0.0) → shaped(areas, 0.0)",
+            "size for it: areas / …",
+        ),
+    },
+    "_share": {
+        "A segment that goes through the plane does so at a share from 0 to 1.": (
+            "size for it: np.clip(…",
+            "limit dropped: np.clip(…",
+            "twice the number: 1.0 → 2.0",
+            "twice the number: 1.0 → 2.0 (2)",
+            "half the number: 1.0 → 0.5",
+        ),
+        "The heights of both ends are the same only where they do not meet.": (
+            "branch dropped: np.where(change == 0, 1.0, change) → shaped(change, change == 0)",
+            "condition dropped: change == 0 → never(change == 0)",
+        ),
+    },
+    "side_of_line": {
+        "The points have two coordinates.": (
+            "…: axis 2 left out",
+            "twice the number: 2 → 4",
+            "half the number: 2 → 1.0",
+        ),
+        "The area of a triangle is the same from each of its corners.": ("one for the other: a → b (3)",),
+    },
+    "inside_by_parity": {
+        ANY_NEGATIVE: ("twice the number: 1 → 2",),
+        NOT_NEGATIVE: ("size for it: inside…",),
+    },
+    "_ray_crosses": {
+        ORDER: ("results swapped: ((b, c), (c, a)) → ((c, a), (b, c))",),
+        "The sign of a turn is its own inverse.": ("ratio for product: turn[same] * … → (_beside_edge(…",),
+        NOT_NEGATIVE: ("size for it: crossed → np.abs(crossed)",),
+    },
+    "_before_face": {
+        "It decides about points on the surface alone, which the lab leaves open.": (
+            "condition dropped: side == 0 → never(side == 0)",
+            "one for the other: a → b (2)",
+            "one for the other: b → a (2)",
+        ),
+    },
+    "_beside_edge": {
+        "Any tiny move will do, as long as it is the same for all faces.": (
+            "results swapped: (np.sign(a…",
+            "sign flipped: a[:, 1] - b[:, 1] → b[:, 1] - a[:, 1]",
+            "sign flipped: b[:, 0] - a[:, 0] → a[:, 0] - b[:, 0]",
+        ),
+    },
+    "winding_number": {
+        "Both ways of adding up give the same number.": (
+            "boundary: p.size * len(f) > FEW → …",
+            "comparison turned round: p.size * len(f) > FEW → …",
+            "condition dropped: p.size * len(f) > FEW → …",
+            "factor forgotten: p.size * len(f) → …",
+            "ratio for product: p.size * len(f) → …",
+            "size for it: _around_many(p, v, f) → …",
+        ),
+    },
+    "polyhedra_intersect": {
+        ORDER: (
+            "results swapped: (faces_a, faces_b) → (faces_b, faces_a)",
+            "results swapped: ((a, b), (b, a)) → ((b, a), (a, b))",
+        ),
+        "Mirrored, both solids meet as before.": ("vertices_a and vertices_b: sign flipped",),
+        NOT_NEGATIVE: ("size for it: any(inside)…",),
     },
 }
 

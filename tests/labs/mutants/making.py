@@ -39,10 +39,24 @@ def _named(_name: str, value: Any) -> Any:
     return np.asarray(value, dtype=float)
 
 
+def _mesh(vertices: Any, faces: Any) -> tuple[Any, Any]:
+    return np.asarray(vertices, dtype=float), np.asarray(faces, dtype=int)
+
+
+def _points(_size: int, **named: Any) -> Any:
+    return np.stack(np.broadcast_arrays(*_floats(*named.values())))
+
+
 CHECKS = dict.fromkeys(
     ("finite", "not_negative", "positive", "in_unit_interval", "unit", "vector", "matrix"), _named
-) | {"checked": lambda body: _floats(*body), "_checked": _floats}
+) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
 """What stands for the checks of what enters: they turn lists into arrays."""
+NOT_ASKED = ("blocks", "boxes_that_meet", "_faces_above", "_in_moderate_units", "_stretch", "_around_many",
+             "inside_by_parity")  # fmt: skip
+"""Helpers that save time or memory, or are there for numbers and cases that no lab asks for: they stay as they are.
+
+So does `inside_by_parity` where another function calls it: what it makes of rays along edges is for its own checks.
+"""
 HELPERS = {
     name: getattr(operators, name)
     for name in ("shaped", "always", "never", "without", "alone", "transposed", "diagonal", "rounds")
@@ -207,7 +221,7 @@ def _own(name: str) -> Sources:
 def _belongs(function: FunctionType, topic: str) -> bool:
     entry = lecture.FUNCTIONS.get(function.__name__)
     ours = function.__module__.startswith(f"solutions.{topic}.") and function.__name__ not in CHECKS
-    return ours and (entry is None or entry.role != "given")
+    return ours and function.__name__ not in NOT_ASKED and (entry is None or entry.role != "given")
 
 
 def _bare(function: FunctionType) -> ast.FunctionDef:

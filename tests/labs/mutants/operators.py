@@ -123,6 +123,10 @@ def conditions(node: ast.expr) -> Wrong:
         case ast.BinOp(a, (ast.BitAnd() | ast.BitOr()) as op, b):
             yield from several("condition dropped", ("{a}", "{b}"), a=a, b=b)
             yield "and for or", ast.BinOp(a, ast.BitOr() if isinstance(op, ast.BitAnd) else ast.BitAnd(), b)
+        case ast.BoolOp(op, values) if not any(isinstance(each, ast.Constant) for each in values):
+            for at in range(len(values)):
+                rest = [*values[:at], *values[at + 1 :]]
+                yield "condition dropped", ast.BoolOp(op, rest) if len(rest) > 1 else rest[0]
         case ast.IfExp(_, a, b):
             yield from several("branch dropped", ("{a}", "{b}"), a=a, b=b)
 

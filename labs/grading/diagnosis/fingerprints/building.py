@@ -160,7 +160,7 @@ def _nudged(value: Any, seed: int) -> Any:
     def change(item: Any) -> Any:
         if isinstance(item, tuple):
             return tuple(change(part) for part in item)
-        if isinstance(item, np.ndarray):
+        if isinstance(item, np.ndarray) and item.dtype.kind == "f":
             return item * (1 - NUDGE * rng.uniform(size=item.shape))  # less, never more: e = 1 must not pass 1
         return item * (1 - NUDGE * rng.uniform()) if isinstance(item, float) else item
 

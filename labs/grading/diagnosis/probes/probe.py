@@ -168,7 +168,9 @@ def _each(value: Any, change: Callable[[Any], Any]) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """Lists as float arrays; tuples, numbers and flags as they are."""
+    """Lists as float arrays; tuples, numbers, flags and arrays of whole numbers, such as faces, as they are."""
     if isinstance(value, tuple):
         return tuple(_plain(item) for item in value)
+    if isinstance(value, np.ndarray) and value.dtype.kind in "iu":
+        return value
     return np.asarray(value, dtype=float) if isinstance(value, list | np.ndarray) else value

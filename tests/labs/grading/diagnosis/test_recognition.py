@@ -29,7 +29,7 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse")
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra")
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
 
@@ -210,13 +210,13 @@ def test_a_value_that_is_no_answer_is_described_in_words(value, count, printed, 
 
 
 def test_truth_values_are_shown_as_true_and_false():
-    found = diagnose("holds", of(lambda push, n, mu: np.sum(push, axis=-1) ** 2 > (mu * np.asarray(n)) ** 2))
+    found = diagnose("inside_by_parity", of(lambda point, vertices, faces: np.sum(point, axis=-1) > 0))
     assert re.search(r"gives   (False|True)\n  physics (False|True)", told(found))
 
 
 def test_a_constant_answer_is_no_known_mistake():
-    """It is as well that of `never holds` as of any other mistake that happens to say no in the usual cases."""
-    found = diagnose("holds", of(lambda push, n, mu: np.linalg.norm(push, axis=-1) == np.asarray(mu) * n))
+    """It may be that of any mistake that happens to say no in the usual cases."""
+    found = diagnose("polyhedra_intersect", of(lambda *solids: np.False_))
     assert not found.mistakes
 
 

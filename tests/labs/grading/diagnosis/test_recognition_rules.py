@@ -151,8 +151,12 @@ def test_a_mistake_is_inherited_only_from_a_function_that_is_called():
 
 def test_only_called_functions_are_named_as_the_origin_of_a_mistake():
     knowledge = reading.known("collide")
-    both = next(each for each in knowledge.mistakes if {"impulse_magnitude", "inverse_effective_mass"} == functions_of(each))
-    left = [each for each in reading.of_functions(knowledge, ["impulse_magnitude"]) if each.deviations == both.deviations]
+    both = next(
+        each for each in knowledge.mistakes if {"impulse_magnitude", "inverse_effective_mass"} == functions_of(each)
+    )
+    left = [
+        each for each in reading.of_functions(knowledge, ["impulse_magnitude"]) if each.deviations == both.deviations
+    ]
     assert [functions_of(each) for each in left] == [{"impulse_magnitude"}]
     assert left[0].rationale.startswith("It answers as if it were right itself and used a wrong impulse_magnitude: ")
 

@@ -1,0 +1,59 @@
+"""Wrong functions about points and polyhedra."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from reference.arrays import Array
+
+
+def convex_separation(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> tuple[float, int]:
+    """How far a point is in front of a convex polyhedron, and the face that decides."""
+    a, b, c = _corners(vertices, faces)
+    normal = np.cross(b - a, c - a)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    heights = np.vecdot(normal, np.asarray(point, dtype=float) - a)
+    face = int(np.argmin(np.abs(heights)))
+    return float(heights[face]), face
+
+
+def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> float:
+    """How often a surface goes round a point."""
+    a, b, c = (corner - np.asarray(point, dtype=float) for corner in _corners(vertices, faces))
+    la, lb, lc = (np.linalg.norm(way, axis=-1) for way in (a, b, c))
+    below = la * lb * lc + np.vecdot(a, b) * lc + np.vecdot(b, c) * la + np.vecdot(c, a) * lb
+    angles = 2 * np.arctan2(np.abs(np.vecdot(a, np.cross(b, c))), below)
+    return min(1.0, float(np.sum(angles)) / (4 * np.pi))
+
+
+def inside_by_parity(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> bool:
+    """Whether a point is in a closed polyhedron."""
+    p, (a, b, c) = np.asarray(point, dtype=float), _corners(vertices, faces)
+    turns = np.stack([_turn(start, end, p) for start, end in ((a, b), (b, c), (c, a))])
+    crossed = np.all(turns > 0, axis=0) | np.all(turns < 0, axis=0)
+    normal = np.cross(b - a, c - a)
+    above = np.vecdot(normal, a - p) * normal[:, 2] > 0
+    return int(np.sum(crossed & above)) % 2 == 1
+
+
+def _turn(start: Array, end: Array, p: Array) -> Array:
+    """Seen from above: twice the area of the triangle of an edge and a point."""
+    way, to_p = end - start, p - start
+    return np.asarray(way[:, 0] * to_p[:, 1] - way[:, 1] * to_p[:, 0])
+
+
+def _corners(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array, Array]:
+    a, b, c = np.moveaxis(np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0)
+    return a, b, c
+
+
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
+    "crates": ("convex_separation", convex_separation, ()),
+    "statue": ("winding_number", winding_number, ()),
+    "garden": ("inside_by_parity", inside_by_parity, ()),
+}
+"""Key → the function that it should be, the wrong one, and the shape of one result."""
