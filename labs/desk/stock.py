@@ -16,7 +16,10 @@ from labs.desk.case_runs import CaseRuns
 from labs.desk.display import DPI, Picture, Replay
 from labs.desk.tables import tables
 from reference.arrays import Array
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family
 from reference.catalogue.scenarios import find
+from reference.comparison.results import JobResult
 from reference.engines.profiles import STOCK
 from reference.errors import InvalidInput
 from reference.recording.reading import recall
@@ -69,19 +72,31 @@ def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str]) -
     InvalidInput, UnknownName
         If there is no such case, engine or quantity, or an engine has no recording of it.
     """
+    family, chosen, results = recorded(case, engines, STOCK)
+    for name in quantities:
+        family.quantity(name)
+    return StockRuns(CaseRuns(family, chosen, results), tuple(quantities))
+
+
+def recorded(case: str, engines: Sequence[str], profile: str) -> tuple[Family, Case, tuple[JobResult, ...]]:
+    """The recorded runs of a case, with their poses, in engines with the settings of a profile.
+
+    Raises
+    ------
+    InvalidInput, UnknownName
+        If there is no such case or engine, or an engine has no recording of it.
+    """
     family, chosen = find(case)
     if chosen is None:
         raise InvalidInput(f"{case!r} names no case: give family/case, such as {family.name}/{family.curve.case}")
-    for name in quantities:
-        family.quantity(name)
     results = []
     for engine in engines:
-        (job,) = plan([family], [engine], [STOCK], {family.name: (chosen.name,)})
+        (job,) = plan([family], [engine], [profile], {family.name: (chosen.name,)})
         result = recall(replace(job, with_poses=True, with_curve=True))
         if result is None or not result.poses:
-            raise InvalidInput(f"{engine}: no recording of {case} as it comes")
+            raise InvalidInput(f"{engine}: no recording of {case} {'as it comes' if profile == STOCK else profile}")
         results.append(result)
-    return StockRuns(CaseRuns(family, chosen, tuple(results)), tuple(quantities))
+    return family, chosen, tuple(results)
 
 
 def from_above(ways: Mapping[str, Array]) -> Picture:
