@@ -6,6 +6,7 @@ its own, that loop returns the ball's places, and this module shows them.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -21,6 +22,7 @@ from reference.engines.profiles import STOCK, TUNED
 from reference.errors import InvalidInput
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Scenario, Sphere
+from reference.scene.surfaces import hull_faces
 from reference.viewer import page
 from reference.viewer.clip_making import clip
 from reference.viewer.poses import Poses, rate_of
@@ -33,13 +35,13 @@ YOURS = "yours"
 class Fall:
     """A ball that falls onto a solid, in the frame of the world.
 
-    vertices: (v, 3), m. faces: (f, 3), indices. pieces: for each convex piece the indices of its vertices, (n,). start:
-    the ball's centre, (3,), m. radius: m. restitution: of an impact. duration: s.
+    vertices: (v, 3), m. faces: (f, 3), indices. pieces: the vertices and faces of each convex piece. start: the ball's
+    centre, (3,), m. radius: m. restitution: of an impact. duration: s.
     """
 
     vertices: Array
     faces: NDArray[np.int64]
-    pieces: tuple[NDArray[np.int64], ...]
+    pieces: tuple[tuple[Array, NDArray[np.int64]], ...]
     start: Array
     radius: float
     restitution: float
@@ -58,9 +60,10 @@ def fall(case: str) -> Fall:
     solid, ball = scenario.body("solid"), scenario.body("ball")
     if not (isinstance(solid.shape, Polyhedron) and isinstance(ball.shape, Sphere)):
         raise InvalidInput(f"{case} is no ball that falls onto a polyhedron")
-    pieces = tuple(np.array(piece) for piece in solid.shape.convex_pieces)
+    vertices = posed(solid)
+    pieces = tuple((vertices[list(piece)], _triangles(vertices[list(piece)])) for piece in solid.shape.convex_pieces)
     return Fall(
-        posed(solid),
+        vertices,
         np.array(solid.shape.faces),
         pieces,
         np.array(ball.position),
@@ -101,6 +104,11 @@ def beside(case: str, places: ArrayLike, engines: Sequence[str], *, stock: bool 
         f'<div style="max-width:640px">{page.frame(clip(scenario, found, title))}</div>',
         f"[replay: {', '.join(poses.title for poses in found.values())}]",
     )
+
+
+def _triangles(corners: Array) -> NDArray[np.int64]:
+    """The faces of the hull of some corners, each cut into triangles from its first corner."""
+    return np.array([(a, b, c) for a, *rest in hull_faces(corners) for b, c in itertools.pairwise(rest)])
 
 
 def _scenario(case: str) -> Scenario:
