@@ -16,9 +16,9 @@ INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c
 def heights(figure: Figure) -> None:
     """Two points and the planes of a convex solid, seen from the side.
 
-    A convex solid with its outward normals. A point q inside is behind all planes, and the nearest face is the one
-    with the largest, least negative height. A point p lies beyond a corner. It is in front of two planes, at the heights
-    h1 and the smaller h2. A dotted line shows that the corner is farther away than h1.
+    A convex solid with its outward normals. A point q inside is behind all planes, and its depth is the way to the
+    nearest of them. A point p lies beyond a corner. It is in front of two planes, at the heights h1 and h2. A dashed
+    line shows that the corner itself is farther away than either height.
     """
     axes = _board(figure, (-3.3, 3.6), (-1.75, 2.0))
     corners = np.array([(-1.9, -1.2), (1.0, -1.2), (1.5, 0.5), (-1.2, 0.8)])
@@ -94,12 +94,12 @@ def turning(figure: Figure) -> None:
 
 
 def crossings(figure: Figure) -> None:
-    """Rays from three points to the outside of a solid with a notch.
+    """Rays from four points to the outside of a solid with a notch.
 
-    A solid in the shape of a U, seen from the side. A ray up from a point in its left arm leaves the solid once: inside.
-    A ray from a point under the notch, in the floor, leaves the solid once as well. A ray from a point left of the solid
-    that runs to the right crosses four borders, an even number: outside. A ray up through the edge where two faces of
-    the top meet touches both of them, although it leaves the solid only once there.
+    A solid in the shape of a U, seen from the side. A ray up from a point in its left arm leaves the solid once:
+    inside. A ray from a point under the notch, in the floor, leaves the solid once as well. A ray from a point left of
+    the solid that runs to the right crosses four borders, an even number: outside. A ray up through the edge where two
+    faces of the top meet touches both of them, although it leaves the solid only once there.
     """
     axes = _board(figure, (-3.6, 3.6), (-1.7, 2.15))
     corners = np.array([(-2.3, -1.3), (2.3, -1.3), (2.3, 0.7), (1.6, 1.15), (0.9, 0.7), (0.9, -0.5), (-0.9, -0.5),
@@ -146,8 +146,8 @@ def angles(figure: Figure) -> None:
     turns = np.degrees(np.arctan2(*(corners - point).T[::-1]))
     right.add_patch(Wedge((point[0], point[1]), 0.75, turns[1], turns[0], fc="none", ec=ORANGE, lw=1.8))
     right.add_patch(Wedge((point[0], point[1]), 1.9, turns[1], turns[3], width=0.35, fc=LIGHT, ec=BLUE, lw=1.6))
-    right.annotate("−", point + (0.5, 0.0), color=ORANGE, ha="center", va="center", size=14)
-    right.annotate("+", point + (1.72, -0.08), color=BLUE, ha="center", va="center", size=14)
+    right.annotate("−", (-1.9, 0.0), color=ORANGE, ha="center", va="center", size=14)
+    right.annotate("+", (-0.68, -0.08), color=BLUE, ha="center", va="center", size=14)
 
 
 def crossed(figure: Figure) -> None:
