@@ -25,6 +25,7 @@ from reference.scene.scenario import Scenario, Sphere
 from reference.scene.surfaces import hull_faces
 from reference.viewer import page
 from reference.viewer.clip_making import clip
+from reference.viewer.picture_bounds import seen_into
 from reference.viewer.poses import Poses, rate_of
 from reference.viewer.tracks import unpack
 
@@ -74,7 +75,7 @@ def fall(case: str) -> Fall:
 
 
 def beside(case: str, places: ArrayLike, engines: Sequence[str], *, stock: bool = False) -> Replay:
-    """A replay of your own ball beside engines.
+    """A replay of your own ball beside engines, seen from obliquely above.
 
     case: `family/case`. places: (n, 3), m, the ball's centre at n instants that divide the case's duration evenly, from
     its start to its end. engines: such as `("mujoco", "dart")`. stock: whether they are shown as they come.
@@ -97,11 +98,11 @@ def beside(case: str, places: ArrayLike, engines: Sequence[str], *, stock: bool 
     found = {YOURS: Poses(YOURS, ("ball",), times, ball, upright)}
     _, _, results = recorded(case, engines, STOCK if stock else TUNED)
     for result in results:
-        title = f"{result.title}, as it comes" if stock else result.title
+        title = f"{result.title}, stock" if stock else result.title
         found[result.job.engine] = unpack(result.poses[0], title, result.recording)
     title = f"{case}: {', '.join(poses.title for poses in found.values())}"
     return Replay(
-        f'<div style="max-width:640px">{page.frame(clip(scenario, found, title))}</div>',
+        f'<div style="max-width:640px">{page.frame(seen_into(clip(scenario, found, title)))}</div>',
         f"[replay: {', '.join(poses.title for poses in found.values())}]",
     )
 

@@ -27,6 +27,7 @@ from reference.report import figures
 from reference.report.replays import case_clip
 from reference.running.study import plan
 from reference.viewer import page
+from reference.viewer.picture_bounds import seen_into
 from reference.viewer.tracks import unpack
 
 STROKES = ("-", "--", ":", "-.")
@@ -35,10 +36,14 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 
 @dataclass(frozen=True)
 class StockRuns:
-    """Recorded runs of one case in stock engines. quantities: the numbers that a table shows."""
+    """Recorded runs of one case in stock engines.
+
+    quantities: the numbers that a table shows. into: whether the replay is seen from obliquely above.
+    """
 
     runs: CaseRuns
     quantities: tuple[str, ...]
+    into: bool = False
 
     def way(self, engine: str) -> Array:
         """Where the moving body's centre is from above, from its start, (n, 2), m."""
@@ -55,17 +60,19 @@ class StockRuns:
         clip = case_clip(self.runs.case, self.runs.lines, title, all_shown=True)
         if clip is None:
             return table
-        shown = Replay(page.frame(clip), f"[replay: {', '.join(line.title for line in self.runs.lines)}]")
+        seen = seen_into(clip) if self.into else clip
+        shown = Replay(page.frame(seen), f"[replay: {', '.join(line.title for line in self.runs.lines)}]")
         return {
             "text/plain": f"{shown.text}\n{table['text/plain']}",
             "text/html": f'<div style="max-width:640px">{shown.markup}</div>{table["text/html"]}',
         }
 
 
-def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str]) -> StockRuns:
+def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str], *, into: bool = False) -> StockRuns:
     """Recorded runs of stock engines.
 
-    case: `family/case`. engines: such as `("mujoco", "dart")`.
+    case: `family/case`. engines: such as `("mujoco", "dart")`. into: whether the replay is seen from obliquely above,
+    as one looks into a bowl.
 
     Raises
     ------
@@ -75,7 +82,7 @@ def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str]) -
     family, chosen, results = recorded(case, engines, STOCK)
     for name in quantities:
         family.quantity(name)
-    return StockRuns(CaseRuns(family, chosen, results), tuple(quantities))
+    return StockRuns(CaseRuns(family, chosen, results), tuple(quantities), into)
 
 
 def recorded(case: str, engines: Sequence[str], profile: str) -> tuple[Family, Case, tuple[JobResult, ...]]:
