@@ -34,10 +34,10 @@ def heights(figure: Figure) -> None:
     _arrow(axes, p, -((p - corner) @ top) * top, BLUE, "$h_2$", at=0.55, beside=(10, 0))
     axes.plot(*zip(p, corner, strict=True), "--", color=INK, lw=1.2)
     axes.plot(*p, "o", color=INK, markersize=7)
-    axes.annotate("$p$", p, (9, 5), textcoords="offset points")
+    axes.annotate("$p$", _xy(p), (9, 5), textcoords="offset points")
     _arrow(axes, q, ((corners[1] - q) @ np.array([0, -1.0])) * np.array([0, -1.0]), ORANGE, "depth", 0.5, (23, 0))
     axes.plot(*q, "o", color=INK, markersize=7)
-    axes.annotate("$q$", q, (-10, 5), textcoords="offset points")
+    axes.annotate("$q$", _xy(q), (-10, 5), textcoords="offset points")
 
 
 def areas(figure: Figure) -> None:
@@ -56,15 +56,15 @@ def areas(figure: Figure) -> None:
     for corners, look in (((x, b, c), "#ffffff"), ((x, c, a), LIGHT), ((x, a, b), "#c9d3e0")):
         axes.add_patch(Polygon(corners, fc=look, ec=INK))
     for name, corner, beside in (("$a$", a, (-10, -4)), ("$b$", b, (9, -6)), ("$c$", c, (4, 9))):
-        axes.annotate(name, corner, beside, textcoords="offset points", ha="center", va="center")
+        axes.annotate(name, _xy(corner), beside, textcoords="offset points", ha="center", va="center")
     axes.plot(*zip((x + b + c) / 3, (1.75, 0.35), strict=True), color=GREY, lw=1)
     axes.annotate("weight of $a$", (1.8, 0.42), color=INK, ha="center", va="bottom", size=10)
     way = np.array([0.25, 1.35])
     _arrow(axes, x + way, -way, BLUE, "start", at=0.0, beside=(20, 4))
     axes.plot(*zip(x, x - 0.95 * way, strict=True), "--", color=BLUE, lw=1.8)
-    axes.annotate("end", x - 0.95 * way, (14, -2), textcoords="offset points", color=BLUE, va="center")
+    axes.annotate("end", _xy(x - 0.95 * way), (14, -2), textcoords="offset points", color=BLUE, va="center")
     axes.plot(*x, "o", color=ORANGE, markersize=7, zorder=6)
-    axes.annotate("$x$", x, (-10, 7), textcoords="offset points", color=ORANGE, ha="center")
+    axes.annotate("$x$", _xy(x), (-10, 7), textcoords="offset points", color=ORANGE, ha="center")
     miss = np.array([2.45, -0.35])
     _arrow(axes, miss + 0.9 * way, -0.9 * way, GREY)
     axes.plot(*zip(miss, miss - 0.8 * way, strict=True), "--", color=GREY, lw=1.8)
@@ -88,9 +88,9 @@ def turning(figure: Figure) -> None:
     axes.add_patch(Arc((a[0], a[1]), 2.0, 2.0, theta1=15, theta2=54, color=BLUE, lw=1.6))
     for name, point, beside in (("$a$", a, (-8, -10)), ("$b$", b, (5, -12)), ("$c$: +1", c, (24, 8))):
         axes.plot(*point, "o", color=INK, markersize=5)
-        axes.annotate(name, point, beside, textcoords="offset points", ha="center", va="center")
+        axes.annotate(name, _xy(point), beside, textcoords="offset points", ha="center", va="center")
     axes.plot(*d, "s", mfc="white", mec=ORANGE, markersize=7)
-    axes.annotate("−1", d, (16, -1), textcoords="offset points", color=ORANGE, ha="center", va="center")
+    axes.annotate("−1", _xy(d), (16, -1), textcoords="offset points", color=ORANGE, ha="center", va="center")
 
 
 def crossings(figure: Figure) -> None:
@@ -192,6 +192,10 @@ def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Ax
     axes.set(xlim=x, ylim=y, aspect="equal")
     axes.set_axis_off()
     return axes
+
+
+def _xy(place: NDArray[np.float64]) -> tuple[float, float]:
+    return float(place[0]), float(place[1])
 
 
 def _unit(way: ArrayLike) -> NDArray[np.float64]:
