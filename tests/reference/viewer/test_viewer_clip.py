@@ -331,7 +331,7 @@ def test_a_clip_of_a_survey_has_only_the_bodies_that_are_watched():
 def test_looking_into_a_solid_shows_all_of_it_and_where_the_ball_starts():
     tub = Body("tub", Box((0.8, 0.6, 0.2)), position=(1.5, -0.7, 0.2))
     ball = Body("ball", Sphere(0.15), 1.0, (1.2, -0.9, 3.0))
-    seen = seen_into(clip(Scenario("above a tub", (tub, ball)), {"one": bouncing()}))
+    seen = seen_into(clip(Scenario("above a tub", (tub, ball), (), 1.0), {"one": bouncing()}))
     assert seen.view == INTO
     assert_allclose(seen.low, [0.7, -1.3, 0.0])
     assert_allclose(seen.high[:2], [2.3, -0.1])
