@@ -35,7 +35,7 @@ def sign_maps(signs: Mapping[str, ArrayLike], right: ArrayLike) -> Picture:
 
     wrong = {name: int(np.sum(values != truth)) for name, values in found.items()}
     with matplotlib.rc_context(figures.STYLE):
-        figure = Figure(figsize=(figures.WIDTH, figures.WIDTH / len(found) + 0.5), layout="constrained", dpi=DPI)
+        figure = Figure(figsize=(figures.WIDTH, figures.WIDTH / len(found) + 0.1), layout="constrained", dpi=DPI)
         for axes, (name, values) in zip(figure.subplots(1, len(found), squeeze=False)[0], found.items(), strict=True):
             axes.imshow(values.T, origin="lower", cmap="gray", vmin=-1.2, vmax=1.2, interpolation="nearest")
             axes.set(title=f"{name}: {wrong[name]} wrong", xticks=[], yticks=[])
