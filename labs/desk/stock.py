@@ -16,7 +16,10 @@ from labs.desk.case_runs import CaseRuns
 from labs.desk.display import DPI, Picture, Replay
 from labs.desk.tables import tables
 from reference.arrays import Array
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family
 from reference.catalogue.scenarios import find
+from reference.comparison.results import JobResult
 from reference.engines.profiles import STOCK
 from reference.errors import InvalidInput
 from reference.recording.reading import recall
@@ -24,6 +27,7 @@ from reference.report import figures
 from reference.report.replays import case_clip
 from reference.running.study import plan
 from reference.viewer import page
+from reference.viewer.picture_bounds import seen_into
 from reference.viewer.tracks import unpack
 
 STROKES = ("-", "--", ":", "-.")
@@ -32,10 +36,14 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 
 @dataclass(frozen=True)
 class StockRuns:
-    """Recorded runs of one case in stock engines. quantities: the numbers that a table shows."""
+    """Recorded runs of one case in stock engines.
+
+    quantities: the numbers that a table shows. into: whether the replay is seen from obliquely above.
+    """
 
     runs: CaseRuns
     quantities: tuple[str, ...]
+    into: bool = False
 
     def way(self, engine: str) -> Array:
         """Where the moving body's centre is from above, from its start, (n, 2), m."""
@@ -52,36 +60,50 @@ class StockRuns:
         clip = case_clip(self.runs.case, self.runs.lines, title, all_shown=True)
         if clip is None:
             return table
-        shown = Replay(page.frame(clip), f"[replay: {', '.join(line.title for line in self.runs.lines)}]")
+        seen = seen_into(clip) if self.into else clip
+        shown = Replay(page.frame(seen), f"[replay: {', '.join(line.title for line in self.runs.lines)}]")
         return {
             "text/plain": f"{shown.text}\n{table['text/plain']}",
             "text/html": f'<div style="max-width:640px">{shown.markup}</div>{table["text/html"]}',
         }
 
 
-def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str]) -> StockRuns:
+def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str], *, into: bool = False) -> StockRuns:
     """Recorded runs of stock engines.
 
-    case: `family/case`. engines: such as `("mujoco", "dart")`.
+    case: `family/case`. engines: such as `("mujoco", "dart")`. into: whether the replay is seen from obliquely above,
+    as one looks into a bowl.
 
     Raises
     ------
     InvalidInput, UnknownName
         If there is no such case, engine or quantity, or an engine has no recording of it.
     """
+    family, chosen, results = recorded(case, engines, STOCK)
+    for name in quantities:
+        family.quantity(name)
+    return StockRuns(CaseRuns(family, chosen, results), tuple(quantities), into)
+
+
+def recorded(case: str, engines: Sequence[str], profile: str) -> tuple[Family, Case, tuple[JobResult, ...]]:
+    """The recorded runs of a case, with their poses, in engines with the settings of a profile.
+
+    Raises
+    ------
+    InvalidInput, UnknownName
+        If there is no such case or engine, or an engine has no recording of it.
+    """
     family, chosen = find(case)
     if chosen is None:
         raise InvalidInput(f"{case!r} names no case: give family/case, such as {family.name}/{family.curve.case}")
-    for name in quantities:
-        family.quantity(name)
     results = []
     for engine in engines:
-        (job,) = plan([family], [engine], [STOCK], {family.name: (chosen.name,)})
+        (job,) = plan([family], [engine], [profile], {family.name: (chosen.name,)})
         result = recall(replace(job, with_poses=True, with_curve=True))
         if result is None or not result.poses:
-            raise InvalidInput(f"{engine}: no recording of {case} as it comes")
+            raise InvalidInput(f"{engine}: no recording of {case} {'as it comes' if profile == STOCK else profile}")
         results.append(result)
-    return StockRuns(CaseRuns(family, chosen, tuple(results)), tuple(quantities))
+    return family, chosen, tuple(results)
 
 
 def from_above(ways: Mapping[str, Array]) -> Picture:

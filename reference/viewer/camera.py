@@ -18,6 +18,8 @@ View = tuple[float, float]
 """Azimuth and pitch, degrees."""
 FRONT: View = (-90.0, 0.0)
 OBLIQUE: View = (-62.0, 22.0)
+INTO: View = (60.0, 35.0)
+"""Steep enough to see into a bowl."""
 _FLAT = 0.02
 """What leaves a plane by less than this share of its extent is in it."""
 _TURN = 0.02

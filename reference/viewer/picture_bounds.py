@@ -35,6 +35,18 @@ def framed(clip: Clip) -> Clip:
     return replace(clip, view=camera.default_view(places, normals, turns), low=low, high=high)
 
 
+def seen_into(clip: Clip) -> Clip:
+    """The clip as one sees it from obliquely above, with all that stands still in the picture, such as a whole bowl.
+
+    Of what moves only the start has to be in it.
+    """
+    moving = {name for run in clip.runs for name in run.bodies}
+    still = [reach for solid in clip.solids if solid.name not in moving for reach in _still(solid)]
+    start = [reach for solid in clip.solids if solid.name in moving for reach in _still(solid)]
+    low, high = _box([*still, *start]) or (clip.low, clip.high)
+    return replace(clip, view=camera.INTO, low=low, high=high)
+
+
 def _motion(clip: Clip, run: Run | None) -> tuple[Array, Array]:
     """Where the bodies come, (n, 3), m, and the turns that they make, (m, 3), vector parts."""
     still = [solid.position for solid in clip.solids if not isinstance(solid.shape, HalfSpace)]

@@ -21,7 +21,11 @@ ONE_SIGN = {
     "it is a mass, a moment of inertia, or an inverse of them": """world_inverse_inertia.i inverse_effective_mass.M
         inverse_effective_mass.I impulse_magnitude.k apply_impulse.M_A apply_impulse.M_B collide.M_A collide.M_B
         audit.k""",
-    "it is a size": "overlap_interval.r overlap_interval.w missing_probability.w missing_probability.r",
+    "it is a number of faces": "polyhedra_intersect.F_A polyhedra_intersect.F_B",
+    "a point beyond a corner is farther out than the corner": "convex_separation.x convex_separation.y",
+    "it is a distance": "winding_number.h",
+    "it is a size": """convex_separation.A convex_separation.B overlap_interval.r overlap_interval.w
+        missing_probability.w missing_probability.r""",
     "it is the length of a step": "side_of_plane.dt time_of_impact_interpolated.dt missing_probability.dt",
     "it is a speed": "side_of_plane.v missing_probability.v edge_edge_normal.c",
     "no body parts faster for a negative e": "side_of_plane.e edge_edge_normal.e impulse_magnitude.e collide.e",

@@ -15,12 +15,12 @@ from reference.catalogue.scenarios import catalogue
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.forces import Spring
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
-from reference.viewer.camera import OBLIQUE, basis
+from reference.viewer.camera import INTO, OBLIQUE, basis
 from reference.viewer.clip import DASHES, FINENESS, LOOKS, STEP, TURN, Clip, Run, Solid
 from reference.viewer.clip_making import clip, mesh_clip
 from reference.viewer.packing import packed
 from reference.viewer.page import html
-from reference.viewer.picture_bounds import framed
+from reference.viewer.picture_bounds import framed, seen_into
 from reference.viewer.poses import Poses
 from reference.viewer.shapes import Capsule, Convex, faces_of, vertices_of, written
 
@@ -326,3 +326,13 @@ def test_a_clip_of_a_survey_has_only_the_bodies_that_are_watched():
         np.tile([1.0, 0.0, 0.0, 0.0], (2, 1, 1)),
     )
     assert {solid.name for solid in clip(scenario, {"ours": poses}).solids} == {"solid", "passing"}
+
+
+def test_looking_into_a_solid_shows_all_of_it_and_where_the_ball_starts():
+    tub = Body("tub", Box((0.8, 0.6, 0.2)), position=(1.5, -0.7, 0.2))
+    ball = Body("ball", Sphere(0.15), 1.0, (1.2, -0.9, 3.0))
+    seen = seen_into(clip(Scenario("above a tub", (tub, ball), (), 1.0), {"one": bouncing()}))
+    assert seen.view == INTO
+    assert_allclose(seen.low, [0.7, -1.3, 0.0])
+    assert_allclose(seen.high[:2], [2.3, -0.1])
+    assert seen.high[2] == pytest.approx(3.15)
