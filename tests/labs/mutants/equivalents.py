@@ -245,7 +245,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in impulse_magnitude: condition dropped: k > 0 → always(k > 0)",
         ),
     },
-    "face_planes": {"Any corner of the face will do.": ("one for the other: a → b (2)", "one for the other: a → b (3)")},
+    "face_planes": {
+        "Any corner of the face will do.": ("one for the other: a → b (2)", "one for the other: a → b (3)")
+    },
     "convex_separation": {
         ANY_NEGATIVE: ("twice the number: 1 → 2",),
         NOT_NEGATIVE: ("size for it: (separation…, face…) → (separation…, np.abs(face…",),
@@ -316,7 +318,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "twice the number: 2 → 4",
             "half the number: 2 → 1.0",
         ),
-        "The area of a triangle is the same from each of its corners.": ("one for the other: a → b (3)",),
+        "The area of a triangle is the same from each of its corners.": ("one for the other: start → end (2)",),
     },
     "inside_by_parity": {
         ANY_NEGATIVE: ("twice the number: 1 → 2",),

@@ -273,7 +273,9 @@ def _winding() -> list[Probe]:
         edge("in the plane of a triangle, beside it", [9, 9, 2], [[0, 0, 2], [3, 0, 2], [0, 4, 2]], face),
         edge("no face", [1, 2, 3], CUBE, NOTHING),
         edge("far away", [30, -40, 20], L_TURNED, L_FACES[4:]),
-        Probe((np.array([[0.5, 0.25, 0], [3, 0.5, 0.25], [-40, 7, 9]]), CUBE, CUBE_FACES), "many", "inside and outside"),
+        Probe(
+            (np.array([[0.5, 0.25, 0], [3, 0.5, 0.25], [-40, 7, 9]]), CUBE, CUBE_FACES), "many", "inside and outside"
+        ),
         edge("a triangle without area", [1, 2, 3], [[0, 0, 0], [1, 1, 0], [2, 2, 0]], face),
         refused("a point that is no number", [0, float("nan"), 0], CUBE, CUBE_FACES),
         refused("a face of a vertex that is not there", [0, 0, 0], CUBE, CUBE_FACES + 1),
