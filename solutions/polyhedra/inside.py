@@ -17,7 +17,7 @@ from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, sa
 from solutions.scaling import in_moderate_units, in_unit
 
 FEW = 10_000
-"""Up to so many coordinates of points, times the number of faces, solid angles are summed as they are."""
+"""Up to so many coordinates times faces, solid angles are summed as they are."""
 
 
 def inside_by_parity(
@@ -136,19 +136,19 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     sum is zero.
 
     For many points or faces the sum is shortened (`winding_of_mesh`). It stays
-    the same up to rounding, which is some 10⁻¹³ for a thousand faces. A part of the mesh
-    is replaced by faces with the same rim, so a closed mesh saves most. Where a
-    third of the faces is missing all over a mesh, every part has a long rim and
-    nothing is saved. Then 1000 points and 7000 faces take about half a second,
-    and the time grows with the product of both numbers. `fast_winding_number`
-    of libigl takes distant faces together. It is some forty times as fast
-    there, and right to a hundredth.
+    the same up to rounding, which is some 10⁻¹³ for a thousand faces. A part of
+    the mesh is replaced by faces with the same rim, so a closed mesh saves
+    most. Where a third of the faces is missing all over a mesh, every part has
+    a long rim and nothing is saved. Then 1000 points and 7000 faces take about
+    half a second, and the time grows with the product of both numbers.
+    `fast_winding_number` of libigl takes distant faces together. It is some
+    forty times as fast there, and right to a hundredth.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
     if p.size * len(f) > FEW:
         return _around_many(p, v, f)
-    return np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi)
+    return np.asarray(np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi))
 
 
 def inside_by_winding(

@@ -70,9 +70,9 @@ def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     from the first corner (Kettner et al. 2008). The count is another one for
     another corner.
     """
-    a, b, c = _points(2, a=a, b=b, c=c)
-    (along_x, along_y), (to_x, to_y) = np.moveaxis(b - a, -1, 0), np.moveaxis(c - a, -1, 0)
-    return np.sign(along_x * to_y - along_y * to_x).astype(np.int64)
+    start, end, point = _points(2, a=a, b=b, c=c)
+    u, w = end - start, point - start
+    return np.asarray(np.sign(u[..., 0] * w[..., 1] - u[..., 1] * w[..., 0]), dtype=np.int64)
 
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:

@@ -100,7 +100,8 @@ def test_the_separation_of_any_point(submission, part, examples):
     with part(1, "on a face, at a corner, in the middle of a cube, beyond edges and corners of it"):
         for point, found in (
             ([0.25, 1, 0.5], (0, 6)), ([1, 0, 1], (0, 2)), ([0.5, 0.5, 0.5], (-0.5, 0)), ([2, 2, 2], (1, 2)),
-            ([3, 0.5, 1.5], (2, 2)), ([-2, 4, 1.5], (3, 6)), ([0.25, 0.5, 0.75], (-0.25, 0)), ([1e6, -2e6, 0], (2e6, 4)),
+            ([3, 0.5, 1.5], (2, 2)), ([-2, 4, 1.5], (3, 6)), ([0.25, 0.5, 0.75], (-0.25, 0)),
+            ([1e6, -2e6, 0], (2e6, 4)),
         ):  # fmt: skip
             expect(submission.convex_separation, (point, CUBE, CUBE_FACES), found)
     with part(1, "one step inwards or outwards along the normal changes it by the step"):
@@ -184,7 +185,7 @@ def aside(a, b, c):
 
 
 def three_points(draw):
-    """c is well away from the line."""
+    """C is well away from the line."""
     a, way = draw.vector()[:2], draw.vector()[:2]
     beside = np.array([-way[1], way[0]])
     return a, a + way, a + draw.number(-3, 3) * way + draw.sign() * draw.number(0.1, 2) * beside
@@ -264,7 +265,7 @@ def test_any_point_in_or_around_a_u(submission, part, examples):
     with part(1, "a hollow, two solids, and a solid of loose triangles"):
         shell = np.concatenate([CUBE, 5 * CUBE - 2.1]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
         expect(submission.inside_by_parity, ([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5], [9, 0.5, 0.5]], *shell), [0, 1, 0])
-        two = np.concatenate([CUBE, CUBE + [0, 0, 3]]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
+        two = np.concatenate([CUBE, CUBE + np.array([0, 0, 3])]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
         expect(submission.inside_by_parity, ([[0.5, 0.5, 0.5], [0.5, 0.5, 2], [0.5, 0.5, 3.5]], *two), [1, 0, 1])
         loose = CUBE[CUBE_FACES].reshape(-1, 3), np.arange(36).reshape(-1, 3)
         expect(submission.inside_by_parity, ([[0.5, 0.5, 0.5], [0.5, 0.5, 2]], *loose), [1, 0])
@@ -360,8 +361,8 @@ def test_any_two_solids_have_a_point_in_common_or_not(submission, part, examples
         u = U_TURNED, U_FACES
         for low, size, meet in (
             ([2.2, 0.3, -1], [0.2, 0.1, 4], 1), ([2.2, 2.3, -1], [0.2, 0.1, 4], 0), ([-1, 2.2, 0.7], [7, 0.1, 0.2], 1),
-            ([1.3, 2.2, 0.7], [2.4, 0.1, 0.2], 0), ([2.3, -1, 0.6], [0.2, 6, 0.1], 1), ([2.3, 1.4, 0.6], [0.2, 6, 0.1], 0),
-            ([-1, 2.2, 2.3], [7, 0.1, 0.2], 0),
+            ([1.3, 2.2, 0.7], [2.4, 0.1, 0.2], 0), ([2.3, -1, 0.6], [0.2, 6, 0.1], 1),
+            ([2.3, 1.4, 0.6], [0.2, 6, 0.1], 0), ([-1, 2.2, 2.3], [7, 0.1, 0.2], 0),
         ):  # fmt: skip
             both_ways(u, (turned_box(low, size), CUBE_FACES), meet)
     with part(1, "within, in a hollow, and a corner that belongs to no face"):

@@ -112,8 +112,8 @@ def true_distance(p, v, f):
 # fmt: off
 BANK = (
     M("face_planes", "inwards", plane_with(lambda n, v, f: -unit(n)),
-      "Every normal points into the solid. The two sides are multiplied in the wrong order: in a cross product the order"
-      " is the direction.",
+      "Every normal points into the solid. The two sides are multiplied in the wrong order, and in a cross product the"
+      " order decides the direction.",
       "Curl the fingers of your right hand from the first side to the second. Which way does the thumb point if the"
       " corners run counter-clockwise as you see them?"),
     M("face_planes", "not of unit length", plane_with(lambda n, v, f: n),
@@ -137,8 +137,8 @@ BANK = (
       "Every normal is turned so that it points up. Those of the faces below then point into the solid.",
       "Which way is outwards for the floor of a house?"),
     M("face_planes", "away from the origin", plane_with(away_from(lambda v, f: 0)),
-      "Every normal is turned away from the origin. That is outwards only for a solid around the origin; the order of the"
-      " corners says it for any.",
+      "Every normal is turned away from the origin. That is outwards only for a solid around the origin. The order of"
+      " the corners says which way is out for any solid.",
       "Put a cube 10 m beside the origin. Which way is outwards for the side that faces the origin?"),
     M("face_planes", "away from the middle", plane_with(away_from(lambda v, f: np.asarray(v).mean(axis=0))),
       "Every normal is turned away from the middle of the corners. In an L some walls look towards the middle.",
@@ -148,7 +148,7 @@ BANK = (
       "How long is (1, 1, 1)?"),
     M("face_planes", "divided by the area", plane_with(lambda n, v, f: 2 * unit(n)),
       "The normal is divided by the area of the face, and has the length 2: the cross product is twice the area.",
-      "Which part of a parallelogram is the triangle of two of its sides?"),
+      "Which share of a parallelogram does the triangle between two of its sides have?"),
     M("convex_separation", "smallest height", separation(lambda h: np.argmin(h, axis=-1)),
       "It takes the smallest of the heights: that of the face farthest behind. A point may be behind one face and still"
       " outside, in front of another.",
@@ -157,11 +157,11 @@ BANK = (
     M("convex_separation", "nearest plane", separation(lambda h: np.argmin(np.abs(h), axis=-1)),
       "It takes the plane that is nearest, on whichever side. Outside, a point can be close to the plane of a face that"
       " is far away.",
-      "A point is 5 m before a wall, and on a level with the roof. Which plane is nearest, and how far away is the house?"),
+      "A point is 5 m before a wall, and on a level with the roof. Which plane is nearest? How far away is the house?"),
     M("convex_separation", "distance from the solid", true_distance,
       "Outside it gives the distance from the nearest point of the solid. The separation is the height above one plane,"
       " and beyond an edge or a corner it is less.",
-      "Read once more what the separation is beyond an edge. Which of the two is cheaper to find?"),
+      "Read again what the separation is beyond an edge. Which of the two is cheaper to find?"),
     M("convex_separation", "sign turned round", separation(value=lambda s: -s),
       "The sign is turned round: it is positive inside. The face is right.",
       "What should be negative within the solid?"),
@@ -183,8 +183,8 @@ BANK = (
       "What is n·a + d for a corner a of the face?"),
     M("convex_separation", "first face in front", separation(first_in_front),
       "It stops at the first face that has the point in front of it. Another face may have it farther in front.",
-      "Stand before the corner of a house, 1 m before the long wall and 3 m before the short one. Which wall is first in"
-      " your list, and which is the separation?"),
+      "You stand at the corner of a house, 1 m before the long wall and 3 m before the short one. Which wall is first"
+      " in your list, and which number is the separation?"),
     M("convex_separation", "last of equals", separation(last_of_equals),
       "If several faces are equal, it gives the last of them, not the first.",
       "Which face does your comparison keep if a later one is just as high?"),

@@ -59,7 +59,7 @@ def in_box(p, v, f):
 
 def on_planes(p, v, f):
     """Every plane above the point is counted, not every face."""
-    turns, side = flat_and_side(p, v, f)
+    _, side = flat_and_side(p, v, f)
     a, b, c = np.moveaxis(np.asarray(v)[f], 1, 0)
     looks_up = np.cross(b - a, c - a)[:, 2]
     return np.sum(np.sign(looks_up) * side < 0, axis=-1) % 2 == 1
@@ -120,10 +120,10 @@ BANK = (
       "An odd number of crossings counts as outside, and an even one as inside.",
       "How often does a ray cross anything that starts far away and looks away?"),
     M("inside_by_parity", "any crossing", lambda p, v, f: right(p, v, f)[0] > 0,
-      "One crossing is enough to be inside. Whoever stands before a wall and looks at it crosses it twice.",
+      "One crossing is enough to be inside. A ray that goes right through a solid crosses its surface twice.",
       "Which points below a solid have a ray that crosses it?"),
     M("inside_by_parity", "one crossing", lambda p, v, f: right(p, v, f)[0] == 1,
-      "Exactly one crossing is asked for. A ray may leave the solid, enter it again and leave it once more.",
+      "Only a single crossing counts as inside. A ray may leave the solid, enter it again and leave it once more.",
       "How often does a ray from one arm of a U cross the surface if it goes through the other?"),
     M("inside_by_parity", "way out alone", lambda p, v, f: right(p, v, f)[1] % 2 == 1,
       "Only faces that look along the ray are counted: the ways out. Those that look against it are ways in.",
@@ -138,8 +138,8 @@ BANK = (
       "The angles are added up without their signs. From outside, the fronts must take away what the backs add.",
       "From outside of a cube, what is the sum of its solid angles with their signs?"),
     M("winding_number", "unsigned angles, cut at one", sphere(lambda o: np.minimum(total(np.abs(o)), 4 * np.pi)),
-      "The angles are added up without their signs, and a sum beyond 1 is cut off. Inside of a closed surface this gives"
-      " 1, but outside it is not 0.",
+      "The angles are added up without their signs, and what is more than 1 is cut off. Inside of a closed surface this"
+      " gives 1, but outside it does not give 0.",
       "From outside of a cube, what is the sum of its solid angles with their signs?"),
     M("winding_number", "inwards", sphere(lambda o: -total(o)),
       "The sign is turned round: it is −1 inside of a surface whose faces look outwards.",
@@ -157,14 +157,14 @@ BANK = (
       "The sign of the sum is lost: a surface turned inside out cannot be told from a right one.",
       "What should be returned inside of a surface whose faces look inwards?"),
     M("winding_number", "rounded", sphere(lambda o: 4 * np.pi * np.round(total(o) / (4 * np.pi))),
-      "The result is rounded to a whole number. A surface with a hole gives a fraction, and that is what makes it useful.",
+      "The result is rounded to a whole number. A surface with a hole gives a fraction, and this makes it useful.",
       "What should be returned in the middle of a box without its lid?"),
     M("winding_number", "faces counted", backs_less_fronts,
       "Every face has the same share, however large it looks from the point.",
       "Which covers more of your sight: a wall 1 m away, or the same wall 10 m away?"),
     M("winding_number", "arctangent of a quotient", without_quadrant,
-      "The angle is found by the arctangent of a quotient. Where the denominator is negative, which is close to the face,"
-      " it is a half turn off.",
+      "The angle is found by the arctangent of a quotient. Close to the face the denominator is negative, and there the"
+      " angle is half a turn off.",
       "What are np.arctan(1/1) and np.arctan(−1/−1)? And np.arctan2 of the same numbers?"),
     M("winding_number", "flat areas", flat_areas,
       "The solid angle is taken as the area over the square of the distance, seen under its slant. This holds for faces"

@@ -38,7 +38,7 @@ def strictly_left(a, b, c):
 
 
 def solved(start, end, triangle):
-    """t and the weights where the line of the segment meets the plane."""
+    """T and the weights where the line of the segment meets the plane."""
     p, q, corners = (np.asarray(each, dtype=float) for each in (start, end, triangle))
     a, b, c = (corners[..., k, :] for k in range(3))
     n = np.cross(b - a, c - a)
@@ -145,8 +145,8 @@ BANK = (
       "It says 1 or 0, left or not. Right is −1, and 0 is kept for points on the line.",
       "How can a caller tell right from on the line?"),
     M("side_of_line", "tolerance", rounded_off,
-      "Where the number is small it says 0. The number is an area: of a triangle of 0.1 mm it is always small. No"
-      " tolerance is asked for.",
+      "It says 0 where the number is small. The number is an area, and for a triangle of 0.1 mm it is always small. The"
+      " function has no tolerance.",
       "How large is the number for a triangle with sides of a tenth of a millimetre, in square metres?"),
     M("segment_triangle", "hit of the plane", meeting(on_segment),
       "Crossing the plane counts as hitting the triangle. The plane goes on for ever, and the triangle does not.",
@@ -171,8 +171,8 @@ BANK = (
       "It gives the way from the start in metres, not as a fraction of the segment.",
       "What is t at the end of a segment of 5 m?"),
     M("segment_triangle", "weights in another order", meeting(both, lambda t, w, p, q: (t, np.roll(w, -1, axis=-1))),
-      "The weights are in another order than the corners. That of the first corner, which is what the other two leave of"
-      " 1, comes first.",
+      "The weights are in another order than the corners. The weight of the first corner comes first: it is what the"
+      " other two leave of 1.",
       "Multiply each weight with its corner and add. Is that the point on the segment?"),
     M("segment_triangle", "parallelogram", meeting(two_limits),
       "Both weights from 0 to 1 is a parallelogram. The third weight must not be negative either.",
@@ -189,10 +189,10 @@ BANK = (
       " times a length: with triangles of a millimetre it is always small.",
       "How large is your determinant if all lengths are a thousand times smaller?"),
     M("segment_triangle", "zero weights for none", meeting(both, nothing=(np.inf, 0.0)),
-      "Where the two do not meet, the weights are zero. NaN is asked for: zero might be a weight.",
+      "Where the two do not meet, the weights are zero. They should be NaN, because zero is a possible weight.",
       "What should the weights be where there is no such point?"),
     M("segment_triangle", "no fraction for none", meeting(both, nothing=(np.nan, np.nan)),
-      "Where the two do not meet, the fraction is NaN. Infinity is asked for: then the least of several fractions is"
+      "Where the two do not meet, the fraction is NaN. It should be infinite: then the least of several fractions is"
       " that of the first hit.",
       "What is the least of 0.5 and NaN for NumPy, and of 0.5 and infinity?"),
 )

@@ -47,7 +47,9 @@ def prism(outline, triangles, height):
     k = np.arange(count)
     following = (k + 1) % count
     walls = [np.column_stack([k, following, following + count]), np.column_stack([k, following + count, k + count])]
-    return np.concatenate([low, low + [0, 0, height]]), np.concatenate([floor[:, ::-1], floor + count, *walls])
+    return np.concatenate([low, low + np.array([0, 0, height])]), np.concatenate(
+        [floor[:, ::-1], floor + count, *walls]
+    )
 
 
 L_OUTLINE = np.array([[0.0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]])
@@ -85,7 +87,7 @@ def test_every_face_has_a_plane_that_looks_outwards(submission, part):
 
 @asks(
     "convex_separation", 4, "Of all planes the one above which the point is highest decides.",
-    "Slide 9: inside is behind all the face planes. Which of the heights is the last to be negative as you go outwards?",
+    "Slide 9: inside is behind all the face planes. Which of the heights is the first to be positive as you go out?",
 )  # fmt: skip
 def test_the_plane_above_which_a_point_is_highest_decides(submission, part):
     mesh = TETRAHEDRON, SIDES
@@ -121,14 +123,15 @@ def through(weights, fraction, way):
 
 
 @asks(
-    "segment_triangle", 5, "The segment goes through the plane between its ends, and there it is within all three sides.",
-    "Slide 9, edge against face. At which fraction is the height above the plane zero? On which side of each edge is it?",
+    "segment_triangle", 5, "The segment goes through the plane between its ends, and there it is within all sides.",
+    "Slide 9, edge against face. At which fraction is the height above the plane zero? Is that place on the face?",
 )  # fmt: skip
 def test_an_edge_meets_a_face_where_it_is_within_all_sides(submission, part):
     down, slanted = [-0.5, 1, -8], [3, 2, 4]
     with part(1, "through the face, from the front and from the back"):
         for weights, fraction, way in (
-            ([0.25, 0.5, 0.25], 0.25, down), ([0.5, 0.125, 0.375], 0.75, slanted), ([0.125, 0.25, 0.625], 0.5, [0, 0, 1]),
+            ([0.25, 0.5, 0.25], 0.25, down), ([0.5, 0.125, 0.375], 0.75, slanted),
+            ([0.125, 0.25, 0.625], 0.5, [0, 0, 1]),
         ):  # fmt: skip
             expect(submission.segment_triangle, (*through(weights, fraction, way), CORNERS), (fraction, weights))
     with part(1, "through the plane, but beside the face: beyond one side or two"):
@@ -156,13 +159,13 @@ def test_an_edge_meets_a_face_where_it_is_within_all_sides(submission, part):
         starts, ends = np.stack([hit, beyond], axis=1)
         both = ([0.25, math.inf], [[0.25, 0.5, 0.25], NOWHERE[1]])
         expect(submission.segment_triangle, (starts, ends, CORNERS), both)
-        expect(submission.segment_triangle, (*hit, np.array([CORNERS, CORNERS + [9, 0, 0]])), both)
+        expect(submission.segment_triangle, (*hit, np.array([CORNERS, CORNERS + np.array([9, 0, 0])])), both)
 
 
 @asks(
     "side_of_line", 3, "The sign of the area of the triangle a, b, c says whether it turns to the left.",
-    "Slide 9, the test that decides everything. Which sign has the cross product of two vectors if you turn left from the"
-    " first to the second?",
+    "Slide 9, the test that decides everything. You turn left from one vector to another: which sign has their cross"
+    " product?",
 )  # fmt: skip
 def test_a_point_is_left_of_a_line_on_it_or_right(submission, part):
     a, b = [1, -2], [4, 3]
@@ -191,14 +194,15 @@ EIGHT = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 
 
 @asks(
     "inside_by_parity", 5, "A ray that crosses the surface an odd number of times starts inside.",
-    "Slide 9. Through how many triangles does a ray go that leaves a cube through the diagonal of a side? How often does"
-    " it cross the surface?",
+    "Slide 9. A ray leaves a cube through the diagonal of a side. How many triangles does it meet? How often does it"
+    " cross the surface?",
 )  # fmt: skip
 def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission, part):
     with part(1, "in a turned L, in its pocket, and outside of it"):
         for place, inside in (
-            ([0.4, 0.6, 0.7], 1), ([2.6, 0.3, 1.1], 1), ([0.7, 2.8, 1.7], 1), ([1.4, 1.7, 0.9], 0), ([2.7, 1.3, 1.2], 0),
-            ([3.2, 0.5, 0.8], 0), ([0.4, 0.6, 2.3], 0), ([0.4, 0.6, -0.4], 0), ([-0.3, 1.2, 1.4], 0), ([9, -7, 5], 0),
+            ([0.4, 0.6, 0.7], 1), ([2.6, 0.3, 1.1], 1), ([0.7, 2.8, 1.7], 1), ([1.4, 1.7, 0.9], 0),
+            ([2.7, 1.3, 1.2], 0), ([3.2, 0.5, 0.8], 0), ([0.4, 0.6, 2.3], 0), ([0.4, 0.6, -0.4], 0),
+            ([-0.3, 1.2, 1.4], 0), ([9, -7, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (in_l(place)[0], L_TURNED, L_FACES), inside)
     with part(1, "behind other parts of the surface, in every direction; cubes around a cube"):
@@ -210,27 +214,31 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
         nested = np.concatenate([size * (CUBE - 1) for size in (1, 3, 7)]) + CORNER
         for place, inside in (([0.1, 0.2, 0.3], 1), ([2.1, 0.2, 0.3], 0), ([-5.1, 0.2, 0.3], 1), ([0.1, 0.2, 7.3], 0)):
             expect(submission.inside_by_parity, (CORNER + place, nested, faces[:36]), inside)
-        for place, inside in (([0.3, 0.4, -0.7], 0), ([0.3, 0.4, 2.7], 0), ([-0.7, 0.4, 0.8], 0), ([3.7, 0.4, 0.8], 0),
-                              ([0.3, -0.7, 0.8], 0), ([0.3, 3.7, 0.8], 0), ([1.6, 2.4, 0.8], 0), ([0.6, 2.4, 0.8], 1)):  # fmt: skip
+        for place, inside in (
+            ([0.3, 0.4, -0.7], 0), ([0.3, 0.4, 2.7], 0), ([-0.7, 0.4, 0.8], 0), ([3.7, 0.4, 0.8], 0),
+            ([0.3, -0.7, 0.8], 0), ([0.3, 3.7, 0.8], 0), ([1.6, 2.4, 0.8], 0), ([0.6, 2.4, 0.8], 1),
+        ):  # fmt: skip
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES), inside)
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES[:, ::-1]), inside)
     with part(1, "a ray along a diagonal of a side, through an edge, or through a corner"):
         expect(submission.inside_by_parity, ([1, 1, 1], CUBE, CUBE_FACES), 1)
         expect(submission.inside_by_parity, ([0, 0, 0], OCTAHEDRON, EIGHT), 1)
         for place, inside in (
-            ([1, 1, 0], 1), ([1, 0, 1], 1), ([0, 1, 1], 1), ([0.5, 0.5, -0.5], 1), ([-1, 1, 0.5], 1), ([1, -1, -0.5], 1),
-            ([0, 1, -5], 0), ([1, 0, -5], 0), ([1, 1, -5], 0), ([-1, 1, -5], 0), ([-1, -1, -5], 0), ([2, 1, -5], 0),
-            ([0, 0, -5], 0), ([-5, 0, 0], 0), ([0, -5, 0], 0), ([3, 0, -5], 0), ([0, 3, -5], 0), ([-3, 0, -5], 0),
-            ([0, -1, -5], 0), ([-1, 0, -5], 0), ([2, -1, -5], 0), ([-1, -2, -5], 0), ([-2, 1, -5], 0), ([0, -1, 0], 1),
-            ([-1, 0, 0.5], 1), ([1, -1, -5], 0), ([-1, 1, -5], 0), ([-1, 0, -0.5], 1), ([-2, 0, 0.5], 1), ([0, -2, 0.5], 1),
-            ([0, -3, -5], 0), ([2, -2, 0], 0), ([0, 4, 0], 0), ([0, 5, 0], 0), ([5, 0, 0], 0), ([0, 0, 5], 0),
+            ([1, 1, 0], 1), ([1, 0, 1], 1), ([0, 1, 1], 1), ([0.5, 0.5, -0.5], 1), ([-1, 1, 0.5], 1),
+            ([1, -1, -0.5], 1), ([0, -1, 0], 1), ([-1, 0, 0.5], 1), ([-1, 0, -0.5], 1), ([-2, 0, 0.5], 1),
+            ([0, -2, 0.5], 1), ([0, 1, -5], 0), ([1, 0, -5], 0), ([0, -1, -5], 0), ([-1, 0, -5], 0), ([1, 1, -5], 0),
+            ([-1, 1, -5], 0), ([1, -1, -5], 0), ([-1, -1, -5], 0), ([2, 1, -5], 0), ([2, -1, -5], 0),
+            ([-1, -2, -5], 0), ([-2, 1, -5], 0), ([0, 0, -5], 0), ([3, 0, -5], 0), ([0, 3, -5], 0), ([-3, 0, -5], 0),
+            ([0, -3, -5], 0), ([-5, 0, 0], 0), ([0, -5, 0], 0), ([2, -2, 0], 0), ([0, 4, 0], 0), ([0, 5, 0], 0),
+            ([5, 0, 0], 0), ([0, 0, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (place, OCTAHEDRON, EIGHT), inside)
     with part(1, "a ray along a wall, and over the edge of a pocket"):
         for place, inside in (
             ([1, 0.5, 1], 1), ([0.5, 1, 1], 1), ([0.75, 0.75, 1], 1), ([1, 2, -1], 0), ([2, 1, -1], 0), ([1, 1, -1], 0),
-            ([3, 3, -1], 0), ([3, 0.5, -1], 0), ([0.5, 3, -1], 0), ([0, 0.5, -1], 0), ([0.5, 0, -1], 0), ([0, 0, -1], 0),
-            ([3, 0, -1], 0), ([3, 1, -1], 0), ([1, 3, -1], 0), ([0, 3, -1], 0), ([3, 2, 1], 0), ([2, 3, 1], 0),
+            ([3, 3, -1], 0), ([3, 0.5, -1], 0), ([0.5, 3, -1], 0), ([0, 0.5, -1], 0), ([0.5, 0, -1], 0),
+            ([0, 0, -1], 0), ([3, 0, -1], 0), ([3, 1, -1], 0), ([1, 3, -1], 0), ([0, 3, -1], 0), ([3, 2, 1], 0),
+            ([2, 3, 1], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES), inside)
     with part(1, "several points in one call"):
@@ -274,7 +282,7 @@ def box(low, size):
 
 @asks(
     "polyhedra_intersect", 5, "Either an edge of one goes through a face of the other, or one lies within the other.",
-    "Slide 9. Push a bar through a cube. Which corners are inside of the other solid, and which edges go through faces?",
+    "Slide 9. Push a bar through a cube. Which corners are inside the other solid, and which edges go through faces?",
 )  # fmt: skip
 def test_two_solids_meet_by_an_edge_or_by_what_lies_within(submission, part):
     cube, bar = box([0, 0, 0], [2, 2, 2]), box([1.2, 0.2, -2], [0.3, 0.2, 7])  # it goes beside the diagonals

@@ -300,7 +300,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "twice the number: 2 → 4",
             "half the number: 2 → 1.0",
         ),
-        "The area of a triangle is the same from each of its corners.": ("one for the other: a → b (3)",),
+        "The area of a triangle is the same from each of its corners.": ("one for the other: start → end (2)",),
     },
     "inside_by_parity": {
         ANY_NEGATIVE: ("twice the number: 1 → 2",),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from labs.grading.diagnosis.probes.probe import YES_OR_NO, Arguments, Draw, Probe, edge, made, refused, usual
 from reference.arrays import Array
@@ -42,7 +43,7 @@ def probes(function: str) -> tuple[Probe, ...]:
     return tuple(_TABLE[function]())
 
 
-def _turned(points: Array) -> Array:
+def _turned(points: ArrayLike) -> Array:
     """Points of the L's own axes, turned and displaced."""
     return np.asarray((PLACE + np.asarray(points, dtype=float) @ AXES.T).round(6))
 
@@ -114,7 +115,7 @@ CORNERS = np.array([[-2.0, -2, -0.5], [2, 0, -1.5], [-1, 4, 1.5]])
 """A triangle along no axis."""
 
 
-def _through(weights: Array, fraction: float, way: Array, corners: Array = CORNERS) -> Arguments:
+def _through(weights: ArrayLike, fraction: float, way: ArrayLike, corners: Array = CORNERS) -> Arguments:
     """A segment that meets the plane of a triangle at the point with these weights, at this fraction."""
     place, along = np.asarray(weights) @ corners, np.asarray(way, dtype=float)
     return place - fraction * along, place + (1 - fraction) * along, corners
@@ -287,9 +288,14 @@ def _winding() -> list[Probe]:
     return made("winding_number", by_hand, maker, single=(1, 2))
 
 
-def _box(low: Array, size: Array) -> Mesh:
-    """An upright box, turned and displaced with the L."""
-    return _turned(np.asarray(low) + (CUBE + 1) / 2 * size), CUBE_FACES
+def _box(low: ArrayLike, size: ArrayLike) -> Mesh:
+    """A box in the axes of the turned L."""
+    return _turned(_upright(low, size)[0]), CUBE_FACES
+
+
+def _upright(low: ArrayLike, size: ArrayLike) -> Mesh:
+    """A box along the axes."""
+    return np.asarray(np.asarray(low) + (CUBE + 1) / 2 * np.asarray(size)), CUBE_FACES
 
 
 def _intersect() -> list[Probe]:
@@ -297,8 +303,7 @@ def _intersect() -> list[Probe]:
     bar, within = _box([1.2, 0.2, -2], [0.3, 0.2, 7]), _box([0.5, 0.7, 0.8], [0.3, 0.4, 0.5])
     corner, aside = _box([1.5, 1.3, 1.2], [3, 2, 4]), _box([2.3, 0.2, 0.1], [1, 2, 3])
     pocketed, crossing = _box([1.2, 1.3, 0.4], [1.5, 1.6, 1]), _box([1.4, -0.5, 0.6], [0.4, 3, 0.5])
-    upright = lambda low, size: (np.asarray(low) + (CUBE + 1) / 2 * size, CUBE_FACES)  # noqa: E731
-    one = upright([0, 0, 0], [2, 2, 2])
+    one = _upright([0, 0, 0], [2, 2, 2])
     shell = np.concatenate([cube[0], within[0]]), np.concatenate([CUBE_FACES, CUBE_FACES[:, ::-1] + 8])
     crumb = _box([0.55, 0.75, 0.85], [0.1, 0.1, 0.1])
     parts = np.concatenate([crumb[0], aside[0]]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
@@ -317,11 +322,11 @@ def _intersect() -> list[Probe]:
         ("a small tetrahedron beside an L", l_solid, (TETRAHEDRON / 10, SIDES)),
     ]
     touching = [
-        ("face to face", one, upright([2, 0.5, 0.5], [1, 1, 1])),
-        ("corner to corner", one, upright([2, 2, 2], [1, 1, 1])),
-        ("edge to edge, crossed", one, upright([2, -1, 2], [1, 4, 1])),
+        ("face to face", one, _upright([2, 0.5, 0.5], [1, 1, 1])),
+        ("corner to corner", one, _upright([2, 2, 2], [1, 1, 1])),
+        ("edge to edge, crossed", one, _upright([2, -1, 2], [1, 4, 1])),
         ("the same solid", one, one),
-        ("boxes that meet, solids that do not", (OCTAHEDRON, EIGHT), upright([2, 2, 2], [1, 1, 1])),
+        ("boxes that meet, solids that do not", (OCTAHEDRON, EIGHT), _upright([2, 2, 2], [1, 1, 1])),
     ]
     by_hand = [
         made_of(note + turned, *first, *second)

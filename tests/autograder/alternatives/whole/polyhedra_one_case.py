@@ -1,4 +1,4 @@
-"""Right answers for one case alone: a point, a segment and a pair of solids at a time, with exact fractions for signs."""
+"""Right answers for one case alone: one point, segment or pair of solids at a time, with exact fractions for signs."""
 
 import math
 from fractions import Fraction
