@@ -30,12 +30,15 @@ MOST = 100
 
 @dataclass(frozen=True)
 class Suspect:
-    """A wrong function. key: its name in the lab. function: which function it should be. shape: of one result."""
+    """A wrong function. key: its name in the lab. function: which function it should be.
+
+    shapes: of one result, or of each of several that differ in shape.
+    """
 
     key: str
     function: str
     wrong: Callable[..., Any]
-    shape: tuple[int, ...] = ()
+    shapes: frozenset[tuple[int, ...]] = frozenset({()})
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,7 @@ def suspects(topic: str) -> tuple[Suspect, ...]:
     if importlib.util.find_spec(name) is None:
         return ()
     table = importlib.import_module(name).SUSPECTS
-    return tuple(Suspect(key, function, wrong, shape) for key, (function, wrong, shape) in table.items())
+    return tuple(Suspect(key, function, wrong, frozenset(shapes)) for key, (function, wrong, *shapes) in table.items())
 
 
 def suspect(topic: str, key: str) -> Suspect:
@@ -83,7 +86,7 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         except Exception as error:
             reason = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
             raise InvalidInput(f"{wrong.function} refuses this input ({reason}), so it exposes nothing") from None
-        if single != {wrong.shape}:
+        if single != wrong.shapes:
             raise InvalidInput("the input has to be one case: your colleague's function takes no more at once")
         try:
             given = _flat(wrong.wrong(*arguments))

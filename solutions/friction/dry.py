@@ -51,27 +51,28 @@ def friction_force(
     static_friction: ArrayLike,
     kinetic_friction: ArrayLike,
 ) -> Array:
-    """Friction on a body that slides, is held at rest, or starts to slide (slide 24).
+    """Friction on a body that slides, is held at rest, or starts to slide.
 
     Parameters
     ----------
     push : (..., 3), sum of the other forces along the surface, N
-    tangent_velocity : (..., 3), velocity along the surface, relative to it, m/s
+    tangent_velocity : (..., 3), along the surface and relative to it, m/s
     normal_force : (...), N, not negative
     static_friction, kinetic_friction : (...), μ_s and μ_k, μ_s ≥ μ_k
 
     Returns
     -------
     (..., 3), N
-        For a body that slides, μ_k N against its velocity. For a body at rest that
-        static friction can hold, −push. A body at rest whose push is above μ_s N starts
-        to slide along the push, and friction opposes the push with μ_k N.
+        For a body that slides, μ_k N against its velocity. For a body at rest
+        that static friction can hold, −push. A body at rest whose push is
+        above μ_s N starts to slide along the push, and friction opposes the
+        push with μ_k N.
 
     Raises
     ------
     ValueError
-        If N or μ_k is negative, μ_s is less than μ_k, something is not finite, or a
-        vector does not have three components.
+        If N or μ_k is negative, μ_s is less than μ_k, something is not finite,
+        or a vector does not have three components.
     """
     held = holds(push, normal_force, static_friction)[..., None]
     push, velocity = vector("push", push), finite("tangent_velocity", vector("tangent_velocity", tangent_velocity))
@@ -95,14 +96,15 @@ def sliding_motion(
     mass: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array, Array]:
-    """Motion over dt of a body that slides in a straight line or rests, exactly.
+    """Motion over dt of a body that slides in a straight line or rests.
 
     The result is exact even when the body stops within the step.
 
     Parameters
     ----------
     position, tangent_velocity, push : (..., 3), m, m/s, N
-        The push acts along the velocity or against it, or there is no velocity.
+        The push acts along the velocity or against it, or there is no
+        velocity.
     normal_force : (...), N, not negative
     static_friction, kinetic_friction : (...), μ_s ≥ μ_k
     mass : (...), kg
@@ -117,14 +119,15 @@ def sliding_motion(
     Raises
     ------
     ValueError
-        As friction_force, or if a mass is not positive, or dt is negative or not
-        finite.
+        As friction_force, or if a mass is not positive, or dt is negative or
+        not finite.
 
     Notes
     -----
-    While the body slides, its acceleration a is constant. Where a is opposed to the
-    velocity v, the body stops at t = v/a, and friction does not turn it round. From
-    there static friction holds the body, or it continues to slide along the push.
+    While the body slides, its acceleration a is constant. Where a
+    is opposed to the velocity v, the body stops at t = v/a, and friction does
+    not turn it round. From there static friction holds the body, or it
+    continues to slide along the push.
     """
     p, v, f = vector("position", position), vector("tangent_velocity", tangent_velocity), vector("push", push)
     m, dt = positive("mass", mass)[..., None], finite("dt", not_negative("dt", dt))

@@ -18,9 +18,10 @@ def support_force(
     frame_acceleration: ArrayLike,
     normal: ArrayLike,
 ) -> tuple[Array, Array]:
-    """The normal force on a body, and the force that friction has to hold (slide 24).
+    """The normal force on a body, and the force that friction has to hold.
 
-    The body is seen from its support, which may accelerate: a lift, or a lorry.
+    The body is seen from its support, which may accelerate: a lift, or a
+    lorry.
 
     Parameters
     ----------
@@ -32,33 +33,35 @@ def support_force(
     Returns
     -------
     normal_force : (...), N
-        What the support pushes with. It cannot pull: a force that lifts the body off
-        leaves 0, and so no friction.
+        What the support pushes with. It cannot pull: a force that lifts the
+        body off leaves 0, and so no friction.
     along : (..., 3), N
-        The part along the surface of all forces except the support's, as the support
-        sees them.
+        The part along the surface of all forces except the support's, as the
+        support sees them.
 
     Raises
     ------
     ValueError
-        If a mass is not positive and finite, a normal does not have length 1, or a
-        vector does not have three components.
+        If a mass is not positive and finite, a normal does not have length 1,
+        or a vector does not have three components.
 
     Notes
     -----
-    Seen from a support that accelerates with a, a body that moves with the support is
-    at rest, and the inertial force −m a acts on it beside the weight m g and the push:
+    Seen from a support that accelerates with a, a body that moves
+    with the support is at rest, and the inertial force −m a acts on it beside
+    the weight m g and the push:
 
         F_all = m (g − a) + F
 
-    A body that stays on its support does not accelerate along the normal, so that the
-    support balances F_all·n. It can push but not pull:
+    A body that stays on its support does not accelerate along the normal, so
+    that the support balances F_all·n. It can push but not pull:
 
         N = max(0, −F_all·n)
 
-    The slide takes the weight for the normal force. On an incline N is m g cos θ; a
-    push may lean on the body or lift it; and in a lift a counts against g. What remains
-    of the force without its part along the normal is left to friction:
+    The slide takes the weight for the normal force. On an incline N is m g cos
+    θ; a push may lean on the body or lift it; and in a lift a counts against
+    g. What remains of the force without its part along the normal is left to
+    friction:
 
         F_t = F_all − (F_all·n) n
     """
@@ -119,32 +122,33 @@ def break_away_time(
     Parameters
     ----------
     force, force_rate : (..., 3), F and F', N and N/s
-        The sum of all forces except the support's, and the rate at which it grows.
+        The sum of all forces except the support's, and the rate at which it
+        grows.
     normal : (..., 3), unit, out of the support
     static_friction : (...), μ_s
 
     Returns
     -------
     (...), s
-        0 where the body is not held even now, infinity where it always is. Where the
-        force along the normal ends before friction does, the instant at which the body
-        lifts off.
+        0 where the body is not held even now, infinity where it always is.
+        Where the force along the normal ends before friction does, the instant
+        at which the body lifts off.
 
     Raises
     ------
     ValueError
-        If μ_s is negative, a normal does not have length 1, something is not finite, or
-        a vector does not have three components.
+        If μ_s is negative, a normal does not have length 1, something is not
+        finite, or a vector does not have three components.
 
     Notes
     -----
-    Split the force into its part along the surface, F_t + F_t' t, and the normal force,
-    N + N' t. Static friction holds the body while
+    Split the force into its part along the surface, F_t + F_t' t,
+    and the normal force, N + N' t. Static friction holds the body while
 
         ‖F_t + F_t' t‖ ≤ μ_s (N + N' t)
 
-    In this range the force lies within a cone, and a straight line leaves a cone at
-    most once. Squared, with μ for μ_s, the condition is
+    In this range the force lies within a cone, and a straight line leaves a
+    cone at most once. Squared, with μ for μ_s, the condition is
 
         a t² + 2 b t + c ≤ 0
         a = F_t'² − μ²N'²,  b = F_t·F_t' − μ²N N',  c = F_t² − μ²N²

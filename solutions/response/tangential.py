@@ -77,7 +77,7 @@ def tangential_spring(
     )
     c, dt = finite("damping", not_negative("damping", damping)), finite("dt", not_negative("dt", dt))
     slip = less_normal_part(finite("slip_velocity", vector("slip_velocity", slip_velocity)), n)
-    xi = _turned(finite("stretch", vector("stretch", stretch)), n) + slip * dt[..., None]
+    xi = _into_new_surface(finite("stretch", vector("stretch", stretch)), n) + slip * dt[..., None]
     asked, dashpot = -k[..., None] * xi - c[..., None] * slip, c[..., None] * slip
     size, most = length_of(asked), mu * press
     slides = size > most
@@ -87,7 +87,7 @@ def tangential_spring(
     return np.where(touches, force, 0.0), np.where(touches, xi, 0.0)
 
 
-def _turned(stretch: Array, n: Array) -> Array:
+def _into_new_surface(stretch: Array, n: Array) -> Array:
     """The stretch in the surface of the new normal, as long as before."""
     along = less_normal_part(stretch, n)
     before, after = length_of(stretch)[..., None], length_of(along)[..., None]

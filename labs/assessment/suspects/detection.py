@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 
@@ -33,9 +33,9 @@ def overlap_interval(
     return (start, end) if start <= end else (math.inf, -math.inf)
 
 
-SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
+SUSPECTS: dict[str, tuple[Any, ...]] = {
     "distance": ("signed_distance", signed_distance, ()),
     "hail": ("time_of_impact_exact", time_of_impact_exact, ()),
     "gallery": ("overlap_interval", overlap_interval, ()),
 }
-"""Key → the function that it should be, the wrong one, and the shape of one result."""
+"""Key → the function that it should be, the wrong one, and the shape of each result."""

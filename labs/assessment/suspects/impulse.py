@@ -64,9 +64,9 @@ NEAR = 1e-6
 """A mended program may differ from the right numbers by so much."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"momenta": _bounces}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
+SUSPECTS: dict[str, tuple[Any, ...]] = {
     "crates": ("edge_edge_normal", edge_edge_normal, (3,)),
     "hammer": ("inverse_effective_mass", inverse_effective_mass, ()),
     "aircraft": ("world_inverse_inertia", world_inverse_inertia, (3, 3)),
 }
-"""Key → the function that it should be, the wrong one, and the shape of one result."""
+"""Key → the function that it should be, the wrong one, and the shape of each result."""

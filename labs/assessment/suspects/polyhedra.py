@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -51,9 +50,9 @@ def _corners(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array, Array
     return a, b, c
 
 
-SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
+SUSPECTS: dict[str, tuple[Any, ...]] = {
     "crates": ("convex_separation", convex_separation, ()),
     "statue": ("winding_number", winding_number, ()),
     "garden": ("inside_by_parity", inside_by_parity, ()),
 }
-"""Key → the function that it should be, the wrong one, and the shape of one result."""
+"""Key → the function that it should be, the wrong one, and the shape of each result."""

@@ -21,6 +21,10 @@ ONE_SIGN = {
     "it is a mass, a moment of inertia, or an inverse of them": """world_inverse_inertia.i inverse_effective_mass.M
         inverse_effective_mass.I impulse_magnitude.k apply_impulse.M_A apply_impulse.M_B collide.M_A collide.M_B
         audit.k""",
+    "what friction takes away is above zero": """clamp_to_circle.D clamp_to_circle.L friction_force.g
+        friction_force.mu sliding_motion.g sliding_motion.mu sliding_motion.v support_force.F support_force.g
+        support_force.m support_force.mu roll_step.m""",
+    "it is an angle between level and upright": "friction_force.theta sliding_motion.theta clamp_to_circle.c",
     "it is a number of faces": "polyhedra_intersect.F_A polyhedra_intersect.F_B",
     "a point beyond a corner is farther out than the corner": "convex_separation.x convex_separation.y",
     "it is a distance": "winding_number.h",
