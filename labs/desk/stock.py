@@ -1,6 +1,7 @@
 """Engines as they come, for a notebook: their replay and numbers from recordings, and the ways of bodies from above.
 
-`lab.run` has tuned engines. A lesson shows stock ones with this module where their defaults are the story.
+`lab.run` has tuned engines. A lesson shows stock ones with this module where their defaults are the story, or engines
+of another profile, such as those whose contacts are springs.
 """
 
 from __future__ import annotations
@@ -32,10 +33,11 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 
 @dataclass(frozen=True)
 class StockRuns:
-    """Recorded runs of one case in stock engines. quantities: the numbers that a table shows."""
+    """Recorded runs of one case in engines. quantities: the numbers that a table shows. title: of the replay."""
 
     runs: CaseRuns
     quantities: tuple[str, ...]
+    title: str
 
     def way(self, engine: str) -> Array:
         """Where the moving body's centre is from above, from its start, (n, 2), m."""
@@ -48,8 +50,7 @@ class StockRuns:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         table = tables(self.runs, self.quantities)._repr_mimebundle_()
-        title = f"{self.runs.title}: engines as they come"
-        clip = case_clip(self.runs.case, self.runs.lines, title, all_shown=True)
+        clip = case_clip(self.runs.case, self.runs.lines, self.title, all_shown=True)
         if clip is None:
             return table
         shown = Replay(page.frame(clip), f"[replay: {', '.join(line.title for line in self.runs.lines)}]")
@@ -59,29 +60,31 @@ class StockRuns:
         }
 
 
-def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str]) -> StockRuns:
-    """Recorded runs of stock engines.
+def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str], profile: str = STOCK) -> StockRuns:
+    """Recorded runs of stock engines, or of engines with another profile.
 
-    case: `family/case`. engines: such as `("mujoco", "dart")`.
+    case: `family/case`. engines: such as `("mujoco", "dart")`. profile: such as `"spring"`, contacts that are springs.
 
     Raises
     ------
     InvalidInput, UnknownName
-        If there is no such case, engine or quantity, or an engine has no recording of it.
+        If there is no such case, engine, profile or quantity, or an engine has no recording of it.
     """
     family, chosen = find(case)
     if chosen is None:
         raise InvalidInput(f"{case!r} names no case: give family/case, such as {family.name}/{family.curve.case}")
     for name in quantities:
         family.quantity(name)
+    chosen_profile = "as they come" if profile == STOCK else f"with the profile {profile}"
     results = []
     for engine in engines:
-        (job,) = plan([family], [engine], [STOCK], {family.name: (chosen.name,)})
+        (job,) = plan([family], [engine], [profile], {family.name: (chosen.name,)})
         result = recall(replace(job, with_poses=True, with_curve=True))
         if result is None or not result.poses:
-            raise InvalidInput(f"{engine}: no recording of {case} as it comes")
+            raise InvalidInput(f"{engine}: no recording of {case} {chosen_profile}")
         results.append(result)
-    return StockRuns(CaseRuns(family, chosen, tuple(results)), tuple(quantities))
+    runs = CaseRuns(family, chosen, tuple(results))
+    return StockRuns(runs, tuple(quantities), f"{runs.title}: engines {chosen_profile}")
 
 
 def from_above(ways: Mapping[str, Array]) -> Picture:
