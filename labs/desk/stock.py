@@ -1,6 +1,7 @@
 """Engines as they come, for a notebook: their replay and numbers from recordings, and the ways of bodies from above.
 
-`lab.run` has tuned engines. A lesson shows stock ones with this module where their defaults are the story.
+`lab.run` has tuned engines. A lesson shows stock ones with this module where their defaults are the story, or engines
+of another profile, such as those whose contacts are springs.
 """
 
 from __future__ import annotations
@@ -36,13 +37,14 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 
 @dataclass(frozen=True)
 class StockRuns:
-    """Recorded runs of one case in stock engines.
+    """Recorded runs of one case in engines.
 
-    quantities: the numbers that a table shows. into: whether the replay is seen from obliquely above.
+    quantities: the numbers that a table shows. title: of the replay. into: whether it is seen from obliquely above.
     """
 
     runs: CaseRuns
     quantities: tuple[str, ...]
+    title: str
     into: bool = False
 
     def way(self, engine: str) -> Array:
@@ -56,8 +58,7 @@ class StockRuns:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         table = tables(self.runs, self.quantities)._repr_mimebundle_()
-        title = f"{self.runs.title}: engines as they come"
-        clip = case_clip(self.runs.case, self.runs.lines, title, all_shown=True)
+        clip = case_clip(self.runs.case, self.runs.lines, self.title, all_shown=True)
         if clip is None:
             return table
         seen = seen_into(clip) if self.into else clip
@@ -68,21 +69,24 @@ class StockRuns:
         }
 
 
-def as_they_come(case: str, engines: Sequence[str], quantities: Sequence[str], *, into: bool = False) -> StockRuns:
-    """Recorded runs of stock engines.
+def as_they_come(
+    case: str, engines: Sequence[str], quantities: Sequence[str], profile: str = STOCK, *, into: bool = False
+) -> StockRuns:
+    """Recorded runs of stock engines, or of engines with another profile.
 
-    case: `family/case`. engines: such as `("mujoco", "dart")`. into: whether the replay is seen from obliquely above,
-    as one looks into a bowl.
+    case: `family/case`. engines: such as `("mujoco", "dart")`. profile: such as `"spring"`, contacts that are springs.
+    into: whether the replay is seen from obliquely above, as one looks into a bowl.
 
     Raises
     ------
     InvalidInput, UnknownName
-        If there is no such case, engine or quantity, or an engine has no recording of it.
+        If there is no such case, engine, profile or quantity, or an engine has no recording of it.
     """
-    family, chosen, results = recorded(case, engines, STOCK)
+    family, chosen, results = recorded(case, engines, profile)
     for name in quantities:
         family.quantity(name)
-    return StockRuns(CaseRuns(family, chosen, results), tuple(quantities), into)
+    runs = CaseRuns(family, chosen, results)
+    return StockRuns(runs, tuple(quantities), f"{runs.title}: engines {_words(profile)}", into)
 
 
 def recorded(case: str, engines: Sequence[str], profile: str) -> tuple[Family, Case, tuple[JobResult, ...]]:
@@ -101,9 +105,13 @@ def recorded(case: str, engines: Sequence[str], profile: str) -> tuple[Family, C
         (job,) = plan([family], [engine], [profile], {family.name: (chosen.name,)})
         result = recall(replace(job, with_poses=True, with_curve=True))
         if result is None or not result.poses:
-            raise InvalidInput(f"{engine}: no recording of {case} {'as it comes' if profile == STOCK else profile}")
+            raise InvalidInput(f"{engine}: no recording of {case} {_words(profile)}")
         results.append(result)
     return family, chosen, tuple(results)
+
+
+def _words(profile: str) -> str:
+    return "as they come" if profile == STOCK else f"with the profile {profile}"
 
 
 def from_above(ways: Mapping[str, Array]) -> Picture:

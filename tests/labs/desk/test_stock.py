@@ -33,6 +33,13 @@ def test_a_page_has_the_replay_and_the_numbers_of_stock_engines(stock):
     assert "DART*, stock" in shown["text/html"]
 
 
+def test_springs_of_engines_are_shown_from_their_recordings():
+    shown = as_they_come("one-drop/e=0.5", ("pybullet", "mujoco"), ("rebound", "steps"), "spring")
+    assert shown.title.endswith("engines with the profile spring")
+    found = [row.measured for line in shown.runs.lines for row in line.result.rows if row.quantity == "steps"]
+    assert found == [20000, 5000]
+
+
 def test_ways_from_above_say_where_they_end(stock):
     picture = from_above({"theirs": stock.way("dart"), "mine": np.array([[0, 0, 9.0], [0.5, 0.25, 9.0]])})
     assert picture.png.startswith(b"\x89PNG")
@@ -44,5 +51,7 @@ def test_what_is_not_there_is_named(stock):
         stock.way("pybullet")
     with pytest.raises(InvalidInput, match="names no case"):
         as_they_come("slab-at-30-degrees", ("mujoco",), ("distance",))
+    with pytest.raises(UnknownName, match="springs"):
+        as_they_come("one-drop/e=0.5", ("mujoco",), ("rebound",), "springs")
     with pytest.raises(UnknownName, match="width"):
         as_they_come(CASE, ("mujoco",), ("width",))
