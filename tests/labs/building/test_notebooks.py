@@ -50,8 +50,17 @@ def executed(path: Path, folder: Path):
 
 
 def printed(cells) -> str:
+    return "\n".join(_texts(cells))
+
+
+def _texts(cells) -> list[str]:
     outputs = [output for cell in cells if cell.cell_type == "code" for output in cell.outputs]
-    return "\n".join(output.get("text") or output.get("data", {}).get("text/plain", "") for output in outputs)
+    return [output.get("text") or output.get("data", {}).get("text/plain", "") for output in outputs]
+
+
+def of_the_student(cells) -> str:
+    """What is printed, without tables of stock engines alone: these may be far from theory, as the lesson says."""
+    return "\n".join(text for text in _texts(cells) if not re.match(r"\[replay: [^]]*, stock\]", text))
 
 
 def without_drafts(cells):
@@ -68,7 +77,7 @@ def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
     cells = executed(SOLVED_NOTEBOOKS / f"{topic}.ipynb", tmp_path).cells
     said = printed(cells)
-    assert "✗" not in printed(without_drafts(cells)).replace("✗ fail", "")
+    assert "✗" not in of_the_student(without_drafts(cells)).replace("✗ fail", "")
     assert not re.search(r"· \w+ +to do", said)
     assert not re.search(REFUSED, said, re.MULTILINE)
     assert "Your implementation waits for" in said  # what is asked before it is written
