@@ -43,3 +43,12 @@ def test_an_experiment_is_run_and_judged_once_it_was_predicted(lab, capsys):
     lab.show(lambda: print("100 of 170"), predicted="counted")
     said = capsys.readouterr().out
     assert "100 of 170\nYou predicted “more”, but “fewer” is right. Only 100 of the 170" in said
+
+
+def test_an_experiment_with_an_unwritten_function_says_what_it_waits_for(lab, capsys):
+    def slides():
+        raise NotImplementedError("friction: sliding_motion is yours to write")
+
+    lab.show(slides)
+    said = "This runs as soon as you have written what it needs (friction: sliding_motion is yours to write).\n"
+    assert capsys.readouterr().out == said
