@@ -1,11 +1,13 @@
 """Numbers of any size, although their squares would leave the range of the floats.
 
-The square of 1e200 is too large for a float, and that of 1e-200 is too small. One
-remedy serves both: divide by a power of two near the largest number, calculate, and
-multiply by it again. Dividing by a power of two changes no digit, so the result is the
-same, to the last digit, as that of the plain formula where the plain formula works.
+The square of 1e200 is too large for a float, and that of 1e-200 is too small.
+One remedy serves both: divide by a power of two near the largest number,
+calculate, and multiply by it again. Dividing by a power of two changes no
+digit, so the result is the same, to the last digit, as that of the plain
+formula where the plain formula works.
 
-The functions look first whether there is such a number, because there hardly ever is.
+The functions look first whether there is such a number, because there hardly
+ever is.
 """
 
 from __future__ import annotations
@@ -37,27 +39,28 @@ def length_of(vector: ArrayLike) -> Array:
 
 
 def in_moderate_units(vector: Array) -> tuple[Array, Array, Array]:
-    """Vectors (..., d) in a unit in which they are neither very long nor very short.
+    """Vectors (..., d) in a unit in which they are not very long or short.
 
     Returns
     -------
     vector : (..., d), in the new unit
     length : (...), in the new unit
     unit : (...), a power of two
-        It is 1 where a vector needs no other unit. If no vector needs one, it is a
-        single 1 without axes.
+        It is 1 where a vector needs no other unit. If no vector needs one, it
+        is a single 1 without axes.
     """
     with np.errstate(over="ignore"):
         length = np.asarray(np.sqrt(np.vecdot(vector, vector)))
     if moderate(length):
         return vector, length, np.ones(())
-    unit = np.where(_extreme(length, vector), power_of_two(_largest(vector)), 1.0)
+    scale = power_of_two(_largest(vector))
+    unit = np.where(_extreme(length, vector), scale, 1.0)
     vector = vector / unit[..., None]
     return vector, np.asarray(np.sqrt(np.vecdot(vector, vector))), unit
 
 
 def in_unit(value: Array, unit: Array, axes: int = 1) -> Array:
-    """Arrays over a unit (...) of `in_moderate_units`; they have some axes more."""
+    """Arrays over a unit (...) of `in_moderate_units`, with more axes."""
     if not unit.ndim and unit == 1:
         return value
     with np.errstate(over="ignore"):
@@ -85,9 +88,9 @@ def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Arra
     Returns
     -------
     normal, offset : (..., 3) and (...), n and d
-        Both are divided by the same power of two, where a normal is so long or so short
-        that n·p might leave the range of the floats although the distance does not. The
-        coordinates of p may be from 1e-290 to 1e290.
+        Both are divided by the same power of two, where a normal is so long or
+        so short that n·p might leave the range of the floats although the
+        distance does not. The coordinates of p may be from 1e-290 to 1e290.
     length : (...), ‖n‖; 0 for a normal that is zero
     """
     offset = np.asarray(offset, dtype=float)
@@ -145,7 +148,10 @@ def moderate(size: Array, power: float = 1) -> bool:
     high: float = LARGE**power
     if not size.ndim:
         return low < float(size) < high
-    return not size.size or (float(size.min()) > low and float(size.max()) < high)
+    if not size.size:
+        return True
+    least, most = float(size.min()), float(size.max())
+    return least > low and most < high
 
 
 def _largest(vector: Array) -> Array:
@@ -163,9 +169,11 @@ def _root_in_units(u: Array, p: Array, q: Array) -> Array:
 
 
 def _extreme(length: Array, vector: Array) -> Booleans:
-    """Which vectors are too long or too short to be squared, as their lengths show.
+    """Which vectors are too long or short to be squared, by their lengths.
 
-    A length of zero may be that of a short vector. A vector that is zero is none.
+    A length of zero may be that of a short vector. A vector that is zero is
+    none.
     """
     size = np.asarray(length, dtype=float)
-    return np.asarray(~((size > SMALL) & (size < LARGE)) & np.any(vector != 0, axis=-1))
+    ordinary = (size > SMALL) & (size < LARGE)
+    return np.asarray(~ordinary & np.any(vector != 0, axis=-1))
