@@ -80,7 +80,7 @@ def segment_triangle(
     -------
     fraction : (...), t, 0 to 1 along the segment
         The point where they meet is start + t (end − start). The fraction is
-        infinite where they do not meet, as for a segment that runs beside the
+        infinity where they do not meet, as for a segment that runs beside the
         triangle's plane.
     barycentric : (..., 3), weights of the triangle's corners at that point
         Each is from 0 to 1, and their sum is 1. The weights times the corners
