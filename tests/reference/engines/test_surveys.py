@@ -174,6 +174,6 @@ def test_a_survey_is_about_a_polyhedron_and_a_solid_with_an_end():
 
 def test_a_student_without_the_functions_is_told_which_to_write(tmp_path):
     file = tmp_path / "mine.py"
-    file.write_text("def is_convex(vertices, faces):\n    return True\n")
+    file.write_text("def face_planes(vertices, faces):\n    raise ValueError\n")
     rows = run_job(Job("convex-solid", "handwritten", "exact", ("turned",), str(file))).rows
-    assert [(row.verdict, row.note) for row in rows] == [(Verdict.NEEDS, "needs inside_convex (polyhedra, step 3)")]
+    assert [(row.verdict, row.note) for row in rows] == [(Verdict.NEEDS, "needs convex_separation (polyhedra, step 2)")]
