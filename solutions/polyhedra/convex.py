@@ -1,4 +1,4 @@
-"""A point is in a convex polyhedron if it is behind all face planes (slide 9)."""
+"""A point is in a convex solid if it is behind all its planes (slide 9)."""
 
 from __future__ import annotations
 
@@ -7,12 +7,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, not_negative, vector
-from solutions.polyhedra.surface import blocks, checked_mesh, face_planes, size_of
+from solutions.polyhedra.surface import (
+    blocks,
+    checked_mesh,
+    face_planes,
+    size_of,
+)
 
 FLAT = 1e-9
-"""How far a vertex of a convex solid may be in front of a face, as a share of its size.
+"""How far a vertex of a convex solid may be in front of a face, as a share of
+its size.
 
-Rounding puts a vertex there, and so do coordinates that are given with few digits.
+Rounding puts a vertex there, and so do coordinates that are given with few
+digits.
 """
 
 
@@ -49,9 +56,9 @@ def convex_separation(
     ------
     ValueError
         If the solid is not convex or is turned inside out, because the slide's
-        test is wrong for such a solid. If a face has no area, there is no face,
-        vertices are not finite or do not fit the faces, or a point is not
-        finite or does not have three components.
+        test is wrong for such a solid. If a face has no area, there is no
+        face, vertices are not finite or do not fit the faces, or a point is
+        not finite or does not have three components.
 
     Notes
     -----
@@ -60,10 +67,10 @@ def convex_separation(
         s = max over the faces of n·p + d
 
     The plane of a face is n·x + d = 0, and its unit normal n points outwards.
-    So n·p + d is the height of the point p above that plane, and it is negative
-    behind the plane. A convex solid is what lies behind all of these planes at
-    once. The point is therefore within the solid exactly when even the largest
-    height s is negative.
+    So n·p + d is the height of the point p above that plane, and it is
+    negative behind the plane. A convex solid is what lies behind all of these
+    planes at once. The point is therefore within the solid exactly when even
+    the largest height s is negative.
 
     Within the solid, the largest height belongs to the nearest plane, because
     all heights are negative. The ball of radius −s around the point goes
@@ -71,8 +78,8 @@ def convex_separation(
     touches the nearest plane. The way out is therefore −s long.
 
     Outside, the whole solid is behind the plane of the face found, so it is at
-    least s away. It is exactly s away where the perpendicular from the point to
-    that plane ends on the face itself.
+    least s away. It is exactly s away where the perpendicular from the point
+    to that plane ends on the face itself.
     """
     p = finite("point", vector("point", point))
     normal, offset = _convex_planes(vertices, faces)
@@ -86,11 +93,15 @@ def convex_separation(
 
 
 def inside_convex(
-    point: ArrayLike, vertices: ArrayLike, faces: ArrayLike, tolerance: ArrayLike = 0.0
+    point: ArrayLike,
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    tolerance: ArrayLike = 0.0,
 ) -> NDArray[np.bool_]:
     """Whether a point is in a convex polyhedron (slide 9).
 
-    The point is inside if it is in front of no face by more than the tolerance.
+    The point is inside if it is in front of no face by more than the
+    tolerance.
 
     Parameters
     ----------
@@ -103,25 +114,28 @@ def inside_convex(
     Returns
     -------
     (...), bool
-        The surface belongs to the solid. Rounding decides about a point on a slanted
-        face, unless there is a tolerance.
+        The surface belongs to the solid. Rounding decides about a point on a
+        slanted face, unless there is a tolerance.
 
     Raises
     ------
     ValueError
-        In every case in which `convex_separation` raises it, and if a tolerance is
-        negative.
+        In every case in which `convex_separation` raises it, and if a
+        tolerance is negative.
 
     Notes
     -----
-    The `convex_separation` s of the point is its largest height above the planes of the
-    faces. The function returns s ≤ tolerance.
+    The `convex_separation` s of the point is its largest height above the
+    planes of the faces. The function returns s ≤ tolerance.
     """
-    return np.asarray(convex_separation(point, vertices, faces)[0] <= not_negative("tolerance", tolerance))
+    return np.asarray(
+        convex_separation(point, vertices, faces)[0]
+        <= not_negative("tolerance", tolerance)
+    )
 
 
 def is_convex(vertices: ArrayLike, faces: ArrayLike) -> bool:
-    """Whether a closed surface bounds a convex solid and its faces look outwards.
+    """Whether a closed surface bounds a convex solid, with its faces outwards.
 
     It does if no vertex is in front of the plane of any face.
 
@@ -133,28 +147,37 @@ def is_convex(vertices: ArrayLike, faces: ArrayLike) -> bool:
     Returns
     -------
     bool
-        A vertex that is in front of a face by at most 1e-9 of the solid's size counts
-        as rounding. The answer is False for a convex solid that is turned inside out,
-        and True for a mesh without faces. The answer holds for a closed surface that
-        goes round once. It says nothing about an open surface, or about a star that
-        winds twice.
+        A vertex that is in front of a face by at most 1e-9 of the solid's size
+        counts as rounding. The answer is False for a convex solid that is
+        turned inside out, and True for a mesh without faces. The answer holds
+        for a closed surface that goes round once. It says nothing about an
+        open surface, or about a star that winds twice.
 
     Raises
     ------
     ValueError
-        If a face has no area, or vertices are not finite or do not fit the faces.
+        If a face has no area, or vertices are not finite or do not fit the
+        faces.
     """
     v, f = checked_mesh(vertices, faces)
     corners = v[np.unique(f)]
-    return _most_in_front(corners, *face_planes(v, f))[0] <= FLAT * size_of(corners)
+    return _most_in_front(corners, *face_planes(v, f))[0] <= FLAT * size_of(
+        corners
+    )
 
 
-def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
+def _convex_planes(
+    vertices: ArrayLike, faces: ArrayLike
+) -> tuple[Array, Array]:
     v, f = checked_mesh(vertices, faces)
     if not len(f):
-        raise ValueError("faces must not be empty: a polyhedron without faces has no inside")
+        raise ValueError(
+            "faces must not be empty: a polyhedron without faces has no inside"
+        )
     normal, offset = face_planes(v, f)
-    _refuse_concave(v[np.unique(f)], normal, offset)  # vertices of no face do not count
+    _refuse_concave(
+        v[np.unique(f)], normal, offset
+    )  # vertices of no face do not count
     return normal, offset
 
 
@@ -162,11 +185,20 @@ def _refuse_concave(corners: Array, normal: Array, offset: Array) -> None:
     height, face = _most_in_front(corners, normal, offset)
     if height > FLAT * size_of(corners):
         raise ValueError(
-            f"faces must bound a convex solid and look outwards: a vertex is {height:g} m before face {face}"
+            "faces must bound a convex solid and look outwards:"
+            f" a vertex is {height:g} m before face {face}"
         )
 
 
-def _most_in_front(corners: Array, normal: Array, offset: Array) -> tuple[float, int]:
-    """Largest height of a corner above the plane of a face, m, and that face."""
-    highest = np.array([np.max(corners @ n + d) for n, d in zip(normal, offset, strict=True)])
-    return (float(np.max(highest)), int(np.argmax(highest))) if len(highest) else (0.0, 0)
+def _most_in_front(
+    corners: Array, normal: Array, offset: Array
+) -> tuple[float, int]:
+    """Largest height of a corner above a plane, m, and the plane's face."""
+    highest = np.array(
+        [np.max(corners @ n + d) for n, d in zip(normal, offset, strict=True)]
+    )
+    return (
+        (float(np.max(highest)), int(np.argmax(highest)))
+        if len(highest)
+        else (0.0, 0)
+    )

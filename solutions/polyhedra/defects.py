@@ -11,12 +11,17 @@ from solutions.arrays import Array, Integers
 from solutions.polyhedra.intersection import boxes_that_meet
 from solutions.polyhedra.orientation import LOOKS, orient2d, orient3d
 from solutions.polyhedra.segments import segment_meets_triangle
-from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
+from solutions.polyhedra.surface import (
+    blocks,
+    checked_mesh,
+    directed_edges,
+    same_places,
+)
 
 
 @dataclass(frozen=True, eq=False)
 class MeshReport:
-    """The faults of a mesh, each as indices; all are empty for the surface of a solid.
+    """The faults of a mesh as indices; none for the surface of a solid.
 
     Attributes
     ----------
@@ -25,8 +30,8 @@ class MeshReport:
     crowded_edges : (k, 2), vertices
         Edges with more than two faces.
     twisted_edges : (k, 2), vertices
-        Edges with an even number of faces that run through the edge more often one way
-        than the other. One of these faces is turned over.
+        Edges with an even number of faces that run through the edge more often
+        one way than the other. One of these faces is turned over.
     degenerate_faces : (k,), faces
         Faces without area.
     duplicate_faces : (k,), faces
@@ -44,7 +49,7 @@ class MeshReport:
 
     @property
     def is_watertight(self) -> bool:
-        """Whether every edge has an even number of faces: enough for parity."""
+        """Whether each edge has an even number of faces: enough for parity."""
         return not len(self.open_edges)
 
     @property
@@ -65,10 +70,10 @@ class MeshReport:
 
 
 def mesh_report(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
-    """Look for everything that keeps a mesh from having a clear inside (slide 9).
+    """Look for all that keeps a mesh from having a clear inside (slide 9).
 
-    Vertices at the same place count as one vertex. Areas and intersections are judged
-    exactly.
+    Vertices at the same place count as one vertex. Areas and intersections are
+    judged exactly.
 
     Parameters
     ----------
@@ -102,20 +107,34 @@ def mesh_report(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
 
 def _without_area(corners: Array) -> NDArray[np.bool_]:
     a, b, c = np.moveaxis(corners, 1, 0)
-    return np.asarray(np.all([orient2d(a[:, look], b[:, look], c[:, look]) == 0 for look in LOOKS], axis=0))
+    return np.asarray(
+        np.all(
+            [
+                orient2d(a[:, look], b[:, look], c[:, look]) == 0
+                for look in LOOKS
+            ],
+            axis=0,
+        )
+    )
 
 
-def _edges_at(places: Integers, faces: Integers) -> tuple[Integers, Integers, Integers]:
-    """Number of faces at every edge, their excess one way, and the edge's ends.
+def _edges_at(
+    places: Integers, faces: Integers
+) -> tuple[Integers, Integers, Integers]:
+    """Number of faces at every edge, their excess one way, and its ends.
 
-    The excess is how many more faces run through the edge up than down. The ends are
-    vertices.
+    The excess is how many more faces run through the edge up than down. The
+    ends are vertices.
     """
     directed, ends = directed_edges(places), directed_edges(faces)
     proper = directed[:, 0] != directed[:, 1]
     directed, ends = directed[proper], ends[proper]
     edges, first, edge, count = np.unique(
-        np.sort(directed, axis=1), axis=0, return_index=True, return_inverse=True, return_counts=True
+        np.sort(directed, axis=1),
+        axis=0,
+        return_index=True,
+        return_inverse=True,
+        return_counts=True,
     )
     up = np.where(directed[:, 0] < directed[:, 1], 1, -1)
     excess = np.bincount(edge.reshape(-1), up, len(edges)).astype(np.int64)
@@ -123,12 +142,17 @@ def _edges_at(places: Integers, faces: Integers) -> tuple[Integers, Integers, In
 
 
 def _repeated(places: Integers) -> Integers:
-    """Faces whose three corners are those of an earlier one, whichever way round."""
+    """Faces that have the three corners of an earlier one, in any order."""
     _, first = np.unique(np.sort(places, axis=1), axis=0, return_index=True)
     return np.setdiff1d(np.arange(len(places)), first)
 
 
-def _crossing(vertices: Array, faces: Integers, places: Integers, has_area: NDArray[np.bool_]) -> Integers:
+def _crossing(
+    vertices: Array,
+    faces: Integers,
+    places: Integers,
+    has_area: NDArray[np.bool_],
+) -> Integers:
     """Pairs of faces with an area that cross, (k, 2)."""
     kept = np.flatnonzero(has_area)
     corners, found = vertices[faces[kept]], [np.empty((0, 2), dtype=np.int64)]
@@ -140,19 +164,25 @@ def _crossing(vertices: Array, faces: Integers, places: Integers, has_area: NDAr
     return np.concatenate(found)
 
 
-def _cross(vertices: Array, faces: Integers, places: Integers, pairs: Integers) -> NDArray[np.bool_]:
-    """Whether faces cross. The ways to do so depend on how many corners they share."""
+def _cross(
+    vertices: Array, faces: Integers, places: Integers, pairs: Integers
+) -> NDArray[np.bool_]:
+    """Whether faces cross, which depends on how many corners they share."""
     same = places[pairs[:, 0]][:, :, None] == places[pairs[:, 1]][:, None, :]
     shared = np.sum(same, axis=(1, 2))
     crosses = np.asarray(shared == 3)  # the same face twice
     apart = shared < 2
-    crosses[apart] = _edge_meets_face(vertices, faces, pairs[apart], same[apart])
+    crosses[apart] = _edge_meets_face(
+        vertices, faces, pairs[apart], same[apart]
+    )
     folded = shared == 2
     crosses[folded] = _folded(vertices, faces, pairs[folded], same[folded])
     return crosses
 
 
-def _edge_meets_face(vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _edge_meets_face(
+    vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
     """Whether a side of one face meets the other face.
 
     Sides that begin or end at a shared corner are left out.
@@ -164,19 +194,32 @@ def _edge_meets_face(vertices: Array, faces: Integers, pairs: Integers, same: ND
             end = (k + 1) % 3
             free = ~(taken[:, k] | taken[:, end] | meets)
             corners = vertices[faces[pairs[free, other]]]
-            meets[free] = segment_meets_triangle(mine[free, k], mine[free, end], corners)
+            meets[free] = segment_meets_triangle(
+                mine[free, k], mine[free, end], corners
+            )
     return meets
 
 
-def _folded(vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _folded(
+    vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
     """Whether two faces at one edge lie on each other.
 
     They do if they are in one plane and on the same side of the edge.
     """
-    alone_1, alone_2 = np.argmin(np.any(same, axis=2), axis=1), np.argmin(np.any(same, axis=1), axis=1)
+    alone_1, alone_2 = (
+        np.argmin(np.any(same, axis=2), axis=1),
+        np.argmin(np.any(same, axis=1), axis=1),
+    )
     row = np.arange(len(pairs))
     first, second = faces[pairs[:, 0]], faces[pairs[:, 1]]
     a, b, c = (vertices[first[row, (alone_1 + k) % 3]] for k in (1, 2, 0))
     d = vertices[second[row, alone_2]]
-    views = [orient2d(a[:, i], b[:, i], c[:, i]) * orient2d(a[:, i], b[:, i], d[:, i]) for i in LOOKS]
-    return np.asarray((orient3d(a, b, c, d) == 0) & np.any(np.stack(views) > 0, axis=0))
+    views = [
+        orient2d(a[:, i], b[:, i], c[:, i])
+        * orient2d(a[:, i], b[:, i], d[:, i])
+        for i in LOOKS
+    ]
+    return np.asarray(
+        (orient3d(a, b, c, d) == 0) & np.any(np.stack(views) > 0, axis=0)
+    )

@@ -1,7 +1,7 @@
-"""Whether a point is in any polyhedron, by parity or by winding number (slide 9).
+"""Whether a point is in a polyhedron, by parity or winding number (slide 9).
 
-The polyhedron may be concave. Parity counts the faces that a ray from the point
-crosses. The winding number adds up the solid angles of the faces.
+The polyhedron may be concave. Parity counts the faces that a ray from the
+point crosses. The winding number adds up the solid angles of the faces.
 """
 
 from __future__ import annotations
@@ -13,11 +13,16 @@ from solutions.arrays import Array, Integers
 from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
 from solutions.polyhedra.solid_angles import FAR, solid_angle, winding_of_mesh
-from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
+from solutions.polyhedra.surface import (
+    blocks,
+    checked_mesh,
+    directed_edges,
+    same_places,
+)
 from solutions.scaling import in_moderate_units, in_unit
 
 FEW = 10_000
-"""Up to so many coordinates times faces, solid angles are summed as they are."""
+"""Up to so many coordinates times faces, all solid angles are summed."""
 
 
 def inside_by_parity(
@@ -35,19 +40,20 @@ def inside_by_parity(
     point : (..., 3), m
     vertices : (v, 3), m
     faces : (f, 3), indices of the corners
-        The surface must be closed. It does not matter which way its faces look.
+        The surface must be closed. It does not matter which way its faces
+        look.
 
     Returns
     -------
     (...), bool
         The result is right at any distance from the surface, because all signs
-        are exact (`orient2d`, `orient3d`). Where a surface goes through itself,
-        what it encloses twice is outside.
+        are exact (`orient2d`, `orient3d`). Where a surface goes through
+        itself, what it encloses twice is outside.
 
         A point on the surface is inside when a move by (ε, ε², ε³), with an ε
-        smaller than any float, takes it inside. So if solids fill space face to
-        face, exactly one of them has the point. The lab asks for points that
-        are off the surface alone.
+        smaller than any float, takes it inside. So if solids fill space face
+        to face, exactly one of them has the point. The lab asks for points
+        that are off the surface alone.
 
     Raises
     ------
@@ -74,11 +80,12 @@ def inside_by_parity(
 
         (b − a)×(p + (ε, ε²) − a) > 0
 
-    The cross product is that of the point itself, plus ε (a_y − b_y), plus
-    ε² (bₓ − aₓ). The largest term that is not zero decides: first the sign of
-    `orient2d`, then that of a_y − b_y, then that of bₓ − aₓ. The ray's line goes
-    through the face if the moved point is on the same side of all three edges.
-    The ray itself does if the face is above its start, as `orient3d` says.
+    The cross product is that of the point itself, plus ε (a_y − b_y), plus ε²
+    (bₓ − aₓ). The largest term that is not zero decides: first the sign of
+    `orient2d`, then that of a_y − b_y, then that of bₓ − aₓ. The ray's line
+    goes through the face if the moved point is on the same side of all three
+    edges. The ray itself does if the face is above its start, as `orient3d`
+    says.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
@@ -88,11 +95,15 @@ def inside_by_parity(
     for block in blocks(len(rows), len(f)):
         which, face = _faces_above(rows[block], corners)
         crossed = _ray_crosses(rows[block][which], corners[face])
-        inside[block] = np.bincount(which[crossed], minlength=len(rows[block])) % 2 == 1
+        inside[block] = (
+            np.bincount(which[crossed], minlength=len(rows[block])) % 2 == 1
+        )
     return inside.reshape(p.shape[:-1])
 
 
-def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> Array:
+def winding_number(
+    point: ArrayLike, vertices: ArrayLike, faces: ArrayLike
+) -> Array:
     """How often a surface goes round a point (slide 9).
 
     Where `inside_by_parity` needs a closed surface, this number has a meaning
@@ -111,11 +122,11 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
         For a closed surface it is 1 inside and 0 outside. It is −1 inside a
         surface whose faces look inwards, and 2 where a surface encloses the
         point twice. A surface with holes gives a fraction, and a mesh without
-        faces gives 0. On a closed surface it is the part of a small ball around
-        the point that is inside: 1/2 on a face, 1/8 at the corner of a cube.
-        This holds where the computed plane of the face goes through the point
-        exactly; where rounding moves the plane off the point, the result is a
-        whole number.
+        faces gives 0. On a closed surface it is the part of a small ball
+        around the point that is inside: 1/2 on a face, 1/8 at the corner of a
+        cube. This holds where the computed plane of the face goes through the
+        point exactly; where rounding moves the plane off the point, the result
+        is a whole number.
 
     Raises
     ------
@@ -136,8 +147,8 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     sum is zero.
 
     For many points or faces the sum is shortened (`winding_of_mesh`). It stays
-    the same up to rounding, which is some 10⁻¹³ for a thousand faces. A part of
-    the mesh is replaced by faces with the same rim, so a closed mesh saves
+    the same up to rounding, which is some 10⁻¹³ for a thousand faces. A part
+    of the mesh is replaced by faces with the same rim, so a closed mesh saves
     most. Where a third of the faces is missing all over a mesh, every part has
     a long rim and nothing is saved. Then 1000 points and 7000 faces take about
     half a second, and the time grows with the product of both numbers.
@@ -148,7 +159,9 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     v, f = checked_mesh(vertices, faces)
     if p.size * len(f) > FEW:
         return _around_many(p, v, f)
-    return np.asarray(np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi))
+    return np.asarray(
+        np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi)
+    )
 
 
 def inside_by_winding(
@@ -156,11 +169,12 @@ def inside_by_winding(
     vertices: ArrayLike,
     faces: ArrayLike,
 ) -> NDArray[np.bool_]:
-    """Whether a surface goes round a point more than half a time: |w| > 1/2 (slide 9).
+    """Whether a surface goes round a point more than half a time (slide 9).
 
-    Here w is the `winding_number`. This test is slower than parity, and all faces must
-    be turned alike. In return it also works for a surface with small holes, and it
-    counts as inside what a surface that goes through itself encloses twice.
+    It does where |w| > 1/2, with the `winding_number` w. This test is slower
+    than parity, and all faces must be turned alike. In return it also works
+    for a surface with small holes, and it counts as inside what a surface that
+    goes through itself encloses twice.
 
     Parameters
     ----------
@@ -177,49 +191,64 @@ def inside_by_winding(
     Raises
     ------
     ValueError
-        If a point is not finite or does not have three components, or vertices are not
-        finite or do not fit the faces.
+        If a point is not finite or does not have three components, or vertices
+        are not finite or do not fit the faces.
     """
     return np.asarray(np.abs(winding_number(point, vertices, faces)) > 0.5)
 
 
 def _around_many(p: Array, v: Array, f: Integers) -> Array:
-    """The winding number around many points, or of many faces, by a shortened sum."""
+    """The winding number of many points or faces, by a shortened sum."""
     coordinates, _, metre = in_moderate_units(v.reshape(-1))
     rows = np.clip(in_unit(p.reshape(-1, 3), metre, 0), -FAR, FAR)
-    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(p.shape[:-1])
+    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(
+        p.shape[:-1]
+    )
 
 
 def _refuse_open(vertices: Array, faces: Integers) -> None:
-    edges, count = np.unique(np.sort(directed_edges(same_places(vertices, faces)), axis=1), axis=0, return_counts=True)
+    edges, count = np.unique(
+        np.sort(directed_edges(same_places(vertices, faces)), axis=1),
+        axis=0,
+        return_counts=True,
+    )
     odd = (count % 2 == 1) & (edges[:, 0] != edges[:, 1])
     if np.any(odd):
-        raise ValueError(f"faces must bound a closed surface: {np.sum(odd)} edges belong to an odd number of faces")
+        raise ValueError(
+            f"faces must bound a closed surface: {np.sum(odd)} edges belong to"
+            " an odd number of faces"
+        )
 
 
 def _faces_above(point: Array, corners: Array) -> tuple[Integers, Integers]:
-    """Pairs of a point and a face whose box the ray up from the point can meet."""
-    (x, y, z), low, high = point.T[..., None], np.min(corners, axis=1).T, np.max(corners, axis=1).T
+    """Pairs of a point and a face whose box the point's ray up can meet."""
+    (x, y, z), low, high = (
+        point.T[..., None],
+        np.min(corners, axis=1).T,
+        np.max(corners, axis=1).T,
+    )
     beside = (low[0] <= x) & (x <= high[0]) & (low[1] <= y) & (y <= high[1])
     which, face = np.nonzero(beside & (z <= high[2]))
     return which, face
 
 
 def _ray_crosses(p: Array, corners: Array) -> NDArray[np.bool_]:
-    """Whether the ray up from each point p (k, 3) goes through its face (k, 3, 3).
+    """Whether the ray up from each p (k, 3) goes through its face (k, 3, 3).
 
     The ray starts at the point moved by (ε, ε², ε³).
     """
     a, b, c = np.moveaxis(corners, 1, 0)
     turn = _beside_edge(a, b, p)
-    # Seen from above, the start of the ray must be on the same side of all three edges.
+    # Seen from above, the ray must start on the same side of all three edges.
     for start, end in ((b, c), (c, a)):
         same = turn != 0
-        turn[same] *= _beside_edge(start[same], end[same], p[same]) == turn[same]
+        turn[same] *= (
+            _beside_edge(start[same], end[same], p[same]) == turn[same]
+        )
     crossed = np.asarray(turn != 0)
     side = _before_face(a[crossed], b[crossed], c[crossed], p[crossed])
-    # The face is above the start if it looks up and the start is behind it, or if it
-    # looks down and the start is in front of it.
+    # The face is above the start if it looks up and the start is behind it,
+    # or if it looks down and the start is in front of it.
     crossed[crossed] = side != turn[crossed]
     return crossed
 
@@ -227,10 +256,16 @@ def _ray_crosses(p: Array, corners: Array) -> NDArray[np.bool_]:
 def _beside_edge(a: Array, b: Array, p: Array) -> Sign:
     """Side of an edge on which the moved p is, seen from above.
 
-    It is +1 to the left of the edge, −1 to its right, and 0 if the edge is upright.
+    It is +1 to the left of the edge, −1 to its right, and 0 if the edge is
+    upright.
     """
-    by_epsilon, by_its_square = np.sign(a[:, 1] - b[:, 1]), np.sign(b[:, 0] - a[:, 0])
-    return _first_sign(orient2d(a[:, :2], b[:, :2], p[:, :2]), by_epsilon, by_its_square)
+    by_epsilon, by_its_square = (
+        np.sign(a[:, 1] - b[:, 1]),
+        np.sign(b[:, 0] - a[:, 0]),
+    )
+    return _first_sign(
+        orient2d(a[:, :2], b[:, :2], p[:, :2]), by_epsilon, by_its_square
+    )
 
 
 def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
@@ -241,7 +276,12 @@ def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
     side = orient3d(a, b, c, p)
     on = side == 0
     if np.any(on):
-        side[on] = _first_sign(*(orient2d(a[on][:, look], b[on][:, look], c[on][:, look]) for look in LOOKS))
+        side[on] = _first_sign(
+            *(
+                orient2d(a[on][:, look], b[on][:, look], c[on][:, look])
+                for look in LOOKS
+            )
+        )
     return side
 
 

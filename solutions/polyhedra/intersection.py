@@ -1,4 +1,4 @@
-"""Whether two polyhedra intersect, and which edges go through which faces (slide 9)."""
+"""Whether two polyhedra intersect, and which edges meet faces (slide 9)."""
 
 from __future__ import annotations
 
@@ -12,12 +12,15 @@ from solutions.polyhedra.surface import blocks, checked_mesh, mesh_edges
 
 
 def edges_through_faces(
-    vertices_a: ArrayLike, faces_a: ArrayLike, vertices_b: ArrayLike, faces_b: ArrayLike
+    vertices_a: ArrayLike,
+    faces_a: ArrayLike,
+    vertices_b: ArrayLike,
+    faces_b: ArrayLike,
 ) -> tuple[Integers, Integers]:
     """All edges of A that meet a face of B (slide 9).
 
-    The function decides exactly, and touching counts. An edge is listed once for each
-    face that it meets.
+    The function decides exactly, and touching counts. An edge is listed once
+    for each face that it meets.
 
     Parameters
     ----------
@@ -29,8 +32,8 @@ def edges_through_faces(
     -------
     edge : (k, 2), vertices of A at the ends of the edge
     face : (k,), index of the face of B that it meets
-        `segment_triangle` gives the place where they meet. Both arrays are empty if
-        nothing meets.
+        `segment_triangle` gives the place where they meet. Both arrays are
+        empty if nothing meets.
 
     Raises
     ------
@@ -69,15 +72,15 @@ def polyhedra_intersect(
     -------
     bool
         It is True also where the solids only touch, and where one of them lies
-        within the other. A solid that lies in the hollow of the other is not in
-        it: False. Vertices of no face do not count. A mesh without faces has
-        nothing in common with anything.
+        within the other. A solid that lies in the hollow of the other is not
+        in it: False. Vertices of no face do not count. A mesh without faces
+        has nothing in common with anything.
 
     Raises
     ------
     ValueError
-        If a surface is open, or the vertices of a mesh are not finite or do not
-        fit its faces.
+        If a surface is open, or the vertices of a mesh are not finite or do
+        not fit its faces.
 
     Notes
     -----
@@ -87,15 +90,22 @@ def polyhedra_intersect(
     part of one solid is inside the other, and so are its vertices
     (`inside_by_parity`). The function looks for both, in A and in B.
 
-    Neither half will do by itself. A bar pushed through a cube has no vertex in
-    the cube, and the cube has none in the bar. A small cube within a large one
-    meets none of its faces. Nor will the edges of A alone: where a bar goes
-    through the middle of a large face, its own edges go through that face, but
-    no edge of the face goes through the bar.
+    Neither half will do by itself. A bar pushed through a cube has no vertex
+    in the cube, and the cube has none in the bar. A small cube within a large
+    one meets none of its faces. Nor will the edges of A alone: where a bar
+    goes through the middle of a large face, its own edges go through that
+    face, but no edge of the face goes through the bar.
     """
     a, b = checked_mesh(vertices_a, faces_a), checked_mesh(vertices_b, faces_b)
-    inside = [np.any(inside_by_parity(one[0][np.unique(one[1])], *other)) for one, other in ((a, b), (b, a))]
-    return any(inside) or len(edges_through_faces(*a, *b)[1]) > 0 or len(edges_through_faces(*b, *a)[1]) > 0
+    inside = [
+        np.any(inside_by_parity(one[0][np.unique(one[1])], *other))
+        for one, other in ((a, b), (b, a))
+    ]
+    return (
+        any(inside)
+        or len(edges_through_faces(*a, *b)[1]) > 0
+        or len(edges_through_faces(*b, *a)[1]) > 0
+    )
 
 
 def boxes_that_meet(first: Array, second: Array) -> tuple[Integers, Integers]:
@@ -107,6 +117,8 @@ def boxes_that_meet(first: Array, second: Array) -> tuple[Integers, Integers]:
     low_2, high_2 = np.min(second, axis=1), np.max(second, axis=1)
     touch = np.ones((len(first), len(second)), dtype=bool)
     for axis in range(3):
-        touch &= (low_1[:, None, axis] <= high_2[:, axis]) & (low_2[:, axis] <= high_1[:, None, axis])
+        touch &= (low_1[:, None, axis] <= high_2[:, axis]) & (
+            low_2[:, axis] <= high_1[:, None, axis]
+        )
     one, other = np.nonzero(touch)
     return one, other

@@ -1,4 +1,4 @@
-"""Signs that say on which side a point is: in plain floats, and exact (slide 9).
+"""Signs that say on which side a point is: in floats, and exact (slide 9).
 
 The exact signs decide whether something is inside.
 """
@@ -21,7 +21,8 @@ Numbers = NDArray[Any]
 HALF_EPSILON = 2.0**-53
 BOUND_2D = (3 + 16 * HALF_EPSILON) * HALF_EPSILON
 BOUND_3D = (7 + 56 * HALF_EPSILON) * HALF_EPSILON
-"""How far rounding may move the determinant, as a share of the sizes of its terms.
+"""How far rounding may move the determinant, as a share of the sizes of its
+terms.
 
 The bound in space and the one in the plane are those of Shewchuk (1997).
 """
@@ -51,7 +52,8 @@ def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     Raises
     ------
     ValueError
-        If a coordinate is not finite, or a point does not have two coordinates.
+        If a coordinate is not finite, or a point does not have two
+        coordinates.
 
     Notes
     -----
@@ -72,11 +74,13 @@ def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     """
     start, end, point = _points(2, a=a, b=b, c=c)
     u, w = end - start, point - start
-    return np.asarray(np.sign(u[..., 0] * w[..., 1] - u[..., 1] * w[..., 0]), dtype=np.int64)
+    return np.asarray(
+        np.sign(u[..., 0] * w[..., 1] - u[..., 1] * w[..., 0]), dtype=np.int64
+    )
 
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
-    """Whether c is left of the line from a to b (+1), on it (0) or right of it (−1).
+    """Whether c is left of the line from a to b (+1), on it (0) or right (−1).
 
     The sign is exact.
 
@@ -92,7 +96,8 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     Raises
     ------
     ValueError
-        If a coordinate is not finite, or a point does not have two coordinates.
+        If a coordinate is not finite, or a point does not have two
+        coordinates.
 
     Notes
     -----
@@ -100,20 +105,21 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
 
         sign of (b − a)×(c − a)
 
-    This cross product is twice the signed area of the triangle a, b, c. It is positive
-    where the corners run counter-clockwise, which means that c is on the left.
+    This cross product is twice the signed area of the triangle a, b, c. It is
+    positive where the corners run counter-clockwise, which means that c is on
+    the left.
 
-    The function first computes the cross product in floats. Where rounding could have
-    changed its sign, the function computes it again in whole numbers, which are exact.
-    The sign is therefore antisymmetric too: if two points are swapped, it is exactly
-    reversed. So two faces at an edge never both claim a point beside that edge, nor do
-    they both refuse it.
+    The function first computes the cross product in floats. Where rounding
+    could have changed its sign, the function computes it again in whole
+    numbers, which are exact. The sign is therefore antisymmetric too: if two
+    points are swapped, it is exactly reversed. So two faces at an edge never
+    both claim a point beside that edge, nor do they both refuse it.
     """
     return _exact_sign(_area, BOUND_2D, _points(2, a=a, b=b, c=c))
 
 
 def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
-    """Whether d is in front of face a, b, c (+1), in its plane (0) or behind it (−1).
+    """Whether d is before face a, b, c (+1), in its plane (0) or behind (−1).
 
     The sign is exact. The front is the side from which a, b, c are seen to run
     counter-clockwise.
@@ -130,7 +136,8 @@ def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
     Raises
     ------
     ValueError
-        If a coordinate is not finite, or a point does not have three coordinates.
+        If a coordinate is not finite, or a point does not have three
+        coordinates.
 
     Notes
     -----
@@ -138,10 +145,10 @@ def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
 
         sign of ((b − a)×(c − a))·(d − a)
 
-    The cross product is a normal of the face that points to its front. Its dot product
-    with d − a is therefore positive when d is in front. As in `orient2d`, the function
-    first computes the sign in floats. Where rounding could have changed the sign, it
-    computes it again in whole numbers.
+    The cross product is a normal of the face that points to its front. Its dot
+    product with d − a is therefore positive when d is in front. As in
+    `orient2d`, the function first computes the sign in floats. Where rounding
+    could have changed the sign, it computes it again in whole numbers.
     """
     return _exact_sign(_volume, BOUND_3D, _points(3, a=a, b=b, c=c, d=d))
 
@@ -150,11 +157,17 @@ def _points(size: int, **named: ArrayLike) -> Array:
     points = [finite(name, value) for name, value in named.items()]
     for name, point in zip(named, points, strict=True):
         if point.shape[-1:] != (size,):
-            raise ValueError(f"{name} must have shape (..., {size}), not {point.shape}")
+            raise ValueError(
+                f"{name} must have shape (..., {size}), not {point.shape}"
+            )
     return np.stack(np.broadcast_arrays(*points))
 
 
-def _exact_sign(determinant: Callable[[Numbers], tuple[Numbers, Numbers]], bound: float, points: Array) -> Sign:
+def _exact_sign(
+    determinant: Callable[[Numbers], tuple[Numbers, Numbers]],
+    bound: float,
+    points: Array,
+) -> Sign:
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         value, size = determinant(points)
         # This is true for NaN, so that a value that overflows is unsure too.
@@ -162,7 +175,9 @@ def _exact_sign(determinant: Callable[[Numbers], tuple[Numbers, Numbers]], bound
     sign = np.where(unsure, 0, np.sign(value)).astype(np.int64)
     if np.any(unsure):
         exact, _ = determinant(_whole(points[:, unsure]))
-        sign[unsure] = (exact > 0).astype(np.int64) - (exact < 0).astype(np.int64)
+        sign[unsure] = (exact > 0).astype(np.int64) - (exact < 0).astype(
+            np.int64
+        )
     return sign
 
 
@@ -187,7 +202,7 @@ def _volume(points: Numbers) -> tuple[Numbers, Numbers]:
 
 
 def _whole(points: Array) -> Numbers:
-    """The same points in a unit of length in which every coordinate is a whole number.
+    """The same points in a unit of length in which all coordinates are whole.
 
     The unit is a power of two, so that changing to it does not round.
     """

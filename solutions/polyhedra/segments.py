@@ -1,4 +1,4 @@
-"""Where a segment meets a plane and a triangle: edge against face (slide 9)."""
+"""Where a segment meets a plane or a triangle: edge against face (slide 9)."""
 
 from __future__ import annotations
 
@@ -35,15 +35,15 @@ def segment_plane(
     Returns
     -------
     (...), t, 0 to 1
-        The point where they meet is start + t (end − start). An end on the plane
-        counts. A segment that lies in the plane meets it all along, and first at t = 0.
-        If both ends are on the same side, t is infinity.
+        The point where they meet is start + t (end − start). An end on the
+        plane counts. A segment that lies in the plane meets it all along, and
+        first at t = 0. If both ends are on the same side, t is infinity.
 
     Raises
     ------
     ValueError
-        If a normal is zero, an end is not finite, or a vector does not have three
-        components.
+        If a normal is zero, an end is not finite, or a vector does not have
+        three components.
 
     Notes
     -----
@@ -51,9 +51,10 @@ def segment_plane(
 
         t = s0/(s0 − s1)
 
-    Here s0 and s1 are the signed distances of start and end from the plane. Along the
-    segment the signed distance changes at a steady rate, so that it is s0 + t (s1 − s0)
-    at the share t. The segment meets the plane where this is zero, which gives t.
+    Here s0 and s1 are the signed distances of start and end from the plane.
+    Along the segment the signed distance changes at a steady rate, so that it
+    is s0 + t (s1 − s0) at the share t. The segment meets the plane where this
+    is zero, which gives t.
     """
     s0 = signed_distance(finite("start", start), normal, offset)
     s1 = signed_distance(finite("end", end), normal, offset)
@@ -80,17 +81,17 @@ def segment_triangle(
     -------
     fraction : (...), t, 0 to 1 along the segment
         The point where they meet is start + t (end − start). The fraction is
-        infinite where they do not meet, as for a segment that runs beside the
+        infinity where they do not meet, as for a segment that runs beside the
         triangle's plane.
     barycentric : (..., 3), weights of the triangle's corners at that point
         Each is from 0 to 1, and their sum is 1. The weights times the corners
         add up to the same point. They are NaN where the two do not meet.
 
         The lab asks for general position alone: the ends of the segment are
-        off the triangle's plane, and the segment passes the triangle's sides at
-        a distance. The solution also decides the other cases, and exactly
-        (`segment_meets_triangle`): borders and ends count, and a segment in the
-        triangle's plane meets it first where the stretch that they share
+        off the triangle's plane, and the segment passes the triangle's sides
+        at a distance. The solution also decides the other cases, and exactly
+        (`segment_meets_triangle`): borders and ends count, and a segment in
+        the triangle's plane meets it first where the stretch that they share
         begins.
 
     Raises
@@ -103,9 +104,9 @@ def segment_triangle(
     -----
     With s₀ and s₁ for the heights of start and end above the plane of the
     triangle, the segment goes through the plane at the share t = s₀/(s₀ − s₁)
-    (`segment_plane`), if s₀ and s₁ do not have the same sign. The point x found
-    there makes a triangle with each side of the triangle a, b, c. The weights
-    are the shares of these three areas,
+    (`segment_plane`), if s₀ and s₁ do not have the same sign. The point x
+    found there makes a triangle with each side of the triangle a, b, c. The
+    weights are the shares of these three areas,
 
         w_a = n·((b − x)×(c − x)) / n·n,    n = (b − a)×(c − a)
 
@@ -116,10 +117,10 @@ def segment_triangle(
 
     Rounding can move t far along a segment that is nearly in the plane. So
     there is a second candidate for t: the same t, kept between where the
-    segment enters the triangle's sides and where it leaves them. If the segment
-    is in the plane, both candidates are where it enters. The weights of a
-    candidate are the areas, none below 0, over their sum, and they give a point
-    of the triangle. The function takes the candidate whose point on the
+    segment enters the triangle's sides and where it leaves them. If the
+    segment is in the plane, both candidates are where it enters. The weights
+    of a candidate are the areas, none below 0, over their sum, and they give a
+    point of the triangle. The function takes the candidate whose point on the
     triangle is nearest to its point on the segment.
     """
     p, q, corners = _in_moderate_units(*_side_by_side(start, end, triangle))
@@ -130,11 +131,17 @@ def segment_triangle(
     shares = _candidates(p, q, corners, normal)
     places = p[..., None, :] + shares[..., None] * (q - p)[..., None, :]
     weights = _weights(places, corners[..., None, :, :], normal[..., None, :])
-    nearest = np.argmin(np.linalg.norm(weights @ corners - places, axis=-1), axis=-1)[..., None]
+    nearest = np.argmin(
+        np.linalg.norm(weights @ corners - places, axis=-1), axis=-1
+    )[..., None]
     fraction = np.take_along_axis(shares, nearest, axis=-1)[..., 0]
-    weight = np.take_along_axis(weights, nearest[..., None], axis=-2)[..., 0, :]
+    weight = np.take_along_axis(weights, nearest[..., None], axis=-2)[
+        ..., 0, :
+    ]
     meets = segment_meets_triangle(p, q, corners)
-    return np.where(meets, fraction, np.inf), np.where(meets[..., None], weight, np.nan)
+    return np.where(meets, fraction, np.inf), np.where(
+        meets[..., None], weight, np.nan
+    )
 
 
 def segment_meets_triangle(
@@ -152,8 +159,9 @@ def segment_meets_triangle(
     Returns
     -------
     (...), bool
-        The triangle's borders and the segment's ends count, and so does a segment that
-        lies in the triangle's plane. Nothing meets a triangle without area.
+        The triangle's borders and the segment's ends count, and so does a
+        segment that lies in the triangle's plane. Nothing meets a triangle
+        without area.
 
     Raises
     ------
@@ -162,18 +170,22 @@ def segment_meets_triangle(
 
     Notes
     -----
-    A segment meets a triangle if its ends are not on the same side of the triangle's
-    plane and its line passes all three sides with the same turn. `orient3d` gives both
-    signs exactly.
+    A segment meets a triangle if its ends are not on the same side of the
+    triangle's plane and its line passes all three sides with the same turn.
+    `orient3d` gives both signs exactly.
 
-    If both ends are in the plane, all five points are. They are then looked at along x,
-    y and z, and the segment and the triangle must meet in every view. In a view they
-    are apart if a line along one of the triangle's sides, or along the segment,
-    separates them.
+    If both ends are in the plane, all five points are. They are then looked at
+    along x, y and z, and the segment and the triangle must meet in every view.
+    In a view they are apart if a line along one of the triangle's sides, or
+    along the segment, separates them.
     """
     p, q, corners = _side_by_side(start, end, triangle)
     shape = p.shape[:-1]
-    p, q, (a, b, c) = p.reshape(-1, 3), q.reshape(-1, 3), np.moveaxis(corners.reshape(-1, 3, 3), 1, 0)
+    p, q, (a, b, c) = (
+        p.reshape(-1, 3),
+        q.reshape(-1, 3),
+        np.moveaxis(corners.reshape(-1, 3, 3), 1, 0),
+    )
     side_p, side_q = orient3d(a, b, c, p), orient3d(a, b, c, q)
     meets, flat = side_p * side_q <= 0, (side_p == 0) & (side_q == 0)
     steep = meets & ~flat
@@ -182,8 +194,13 @@ def segment_meets_triangle(
     return np.asarray(meets.reshape(shape))
 
 
-def _side_by_side(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
-    p, q = finite("start", vector("start", start)), finite("end", vector("end", end))
+def _side_by_side(
+    start: ArrayLike, end: ArrayLike, triangle: ArrayLike
+) -> tuple[Array, Array, Array]:
+    p, q = (
+        finite("start", vector("start", start)),
+        finite("end", vector("end", end)),
+    )
     corners = matrix("triangle", triangle)
     shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])
     return (
@@ -193,21 +210,32 @@ def _side_by_side(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tupl
     )
 
 
-def _in_moderate_units(p: Array, q: Array, corners: Array) -> tuple[Array, Array, Array]:
-    points = np.concatenate([p[..., None, :], q[..., None, :], corners], axis=-2)
+def _in_moderate_units(
+    p: Array, q: Array, corners: Array
+) -> tuple[Array, Array, Array]:
+    points = np.concatenate(
+        [p[..., None, :], q[..., None, :], corners], axis=-2
+    )
     *_, metre = in_moderate_units(points.reshape(*points.shape[:-2], 15))
     return in_unit(p, metre), in_unit(q, metre), in_unit(corners, metre, 2)
 
 
-def _passes_through(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
-    turns = np.stack([orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)])
+def _passes_through(
+    p: Array, q: Array, a: Array, b: Array, c: Array
+) -> NDArray[np.bool_]:
+    turns = np.stack(
+        [orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)]
+    )
     return np.asarray(np.all(turns >= 0, axis=0) | np.all(turns <= 0, axis=0))
 
 
-def _meets_in_plane(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
+def _meets_in_plane(
+    p: Array, q: Array, a: Array, b: Array, c: Array
+) -> NDArray[np.bool_]:
     """Whether they meet when all five points are in one plane.
 
-    Seen along x, y and z they must meet, and one view at least must not be edge-on.
+    Seen along x, y and z they must meet, and one view at least must not be
+    edge-on.
     """
     meets, area = np.ones(len(p), dtype=bool), np.zeros(len(p), dtype=bool)
     for look in LOOKS:
@@ -218,66 +246,98 @@ def _meets_in_plane(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray
     return meets & area
 
 
-def _apart_in_view(p: Array, q: Array, corners: list[Array], turn: Sign) -> NDArray[np.bool_]:
+def _apart_in_view(
+    p: Array, q: Array, corners: list[Array], turn: Sign
+) -> NDArray[np.bool_]:
     """Whether a line has the segment and the triangle on its two sides.
 
-    The line is along a side of the triangle or along the segment, and it may touch only
-    the one that it is along.
+    The line is along a side of the triangle or along the segment, and it may
+    touch only the one that it is along.
     """
     a, b, c = corners
     sides = np.stack([orient2d(p, q, corner) for corner in corners])
     apart = np.all(sides > 0, axis=0) | np.all(sides < 0, axis=0)
     for start, end in ((a, b), (b, c), (c, a)):
-        apart |= (orient2d(start, end, p) * turn < 0) & (orient2d(start, end, q) * turn < 0)
+        apart |= (orient2d(start, end, p) * turn < 0) & (
+            orient2d(start, end, q) * turn < 0
+        )
     return np.asarray(apart)
 
 
 def _share(s0: Array, s1: Array) -> Array:
     """s0/(s0 − s1), 0 to 1; 0 where both are 0."""
     change = s0 - s1
-    return np.asarray(np.clip(s0 / np.where(change == 0, 1.0, change), 0.0, 1.0))
+    return np.asarray(
+        np.clip(s0 / np.where(change == 0, 1.0, change), 0.0, 1.0)
+    )
 
 
 def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
     """Two shares of a segment, (..., 2), at which it may meet a triangle.
 
-    The first is where the segment goes through the plane. The second is the same, kept
-    between the triangle's sides. They are the same up to rounding, unless the segment
-    is so nearly in the plane that rounding decides about the first. If the segment is
-    in the plane, both are where it enters.
+    The first is where the segment goes through the plane. The second is the
+    same, kept between the triangle's sides. They are the same up to rounding,
+    unless the segment is so nearly in the plane that rounding decides about
+    the first. If the segment is in the plane, both are where it enters.
     """
     a, b, c = (corners[..., k, :] for k in range(3))
     flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
     first, last = _stretch(p, q, corners, normal)
     through = _share(np.vecdot(normal, p - a), np.vecdot(normal, q - a))
     return np.where(
-        flat[..., None], np.minimum(first, last)[..., None], np.stack([through, np.clip(through, first, last)], axis=-1)
+        flat[..., None],
+        np.minimum(first, last)[..., None],
+        np.stack([through, np.clip(through, first, last)], axis=-1),
     )
 
 
-def _stretch(p: Array, q: Array, corners: Array, normal: Array) -> tuple[Array, Array]:
-    """Shares of a segment between which it is within all sides of the triangle.
+def _stretch(
+    p: Array, q: Array, corners: Array, normal: Array
+) -> tuple[Array, Array]:
+    """Shares of a segment between which it is within all sides.
 
-    At the first it has passed the last of the sides that it starts outside of. At the
-    second it passes the first of the sides that it ends outside of.
+    At the first it has passed the last of the sides that it starts outside of.
+    At the second it passes the first of the sides that it ends outside of.
     """
-    inward = np.cross(normal[..., None, :], np.roll(corners, -1, axis=-2) - corners)
-    s0, s1 = np.vecdot(inward, p[..., None, :] - corners), np.vecdot(inward, q[..., None, :] - corners)
-    size = np.max(np.abs(np.concatenate([p[..., None, :], q[..., None, :], corners], axis=-2)), axis=(-2, -1))
-    # A segment along a side does not cross that side, although rounding may say so.
+    inward = np.cross(
+        normal[..., None, :], np.roll(corners, -1, axis=-2) - corners
+    )
+    s0, s1 = (
+        np.vecdot(inward, p[..., None, :] - corners),
+        np.vecdot(inward, q[..., None, :] - corners),
+    )
+    size = np.max(
+        np.abs(
+            np.concatenate(
+                [p[..., None, :], q[..., None, :], corners], axis=-2
+            )
+        ),
+        axis=(-2, -1),
+    )
+    # A segment along a side does not cross it, although rounding may say so.
     on = -ROUNDING * np.linalg.norm(inward, axis=-1) * size[..., None]
     share = _share(s0, s1)
-    first, last = np.where((s0 < on) & (s1 >= on), share, 0.0), np.where((s1 < on) & (s0 >= on), share, 1.0)
+    first, last = (
+        np.where((s0 < on) & (s1 >= on), share, 0.0),
+        np.where((s1 < on) & (s0 >= on), share, 1.0),
+    )
     return np.max(first, axis=-1), np.min(last, axis=-1)
 
 
 def _weights(x: Array, corners: Array, normal: Array) -> Array:
     """Barycentric weights of a point of the triangle.
 
-    They are the areas of the three triangles that the point makes with the sides.
+    They are the areas of the three triangles that the point makes with the
+    sides.
     """
-    following, last = np.roll(corners, -1, axis=-2), np.roll(corners, -2, axis=-2)
-    areas = np.vecdot(normal[..., None, :], np.cross(following - x[..., None, :], last - x[..., None, :]))
+    following, last = (
+        np.roll(corners, -1, axis=-2),
+        np.roll(corners, -2, axis=-2),
+    )
+    areas = np.vecdot(
+        normal[..., None, :],
+        np.cross(following - x[..., None, :], last - x[..., None, :]),
+    )
     areas = np.maximum(areas, 0.0)
     total = np.sum(areas, axis=-1, keepdims=True)
     return np.asarray(areas / np.where(total > 0, total, 1.0))

@@ -1,9 +1,10 @@
-"""Solid angles of triangles, and the winding number of a mesh around many points.
+"""Solid angles of triangles, and the winding number around many points.
 
 The winding number is a sum of solid angles.
 
-A part of the mesh that a point is well away from is replaced by fewer faces with the
-same rim. The sum stays the same up to rounding (Jacobson et al. 2013).
+A part of the mesh that a point is well away from is replaced by fewer faces
+with the same rim. The sum stays the same up to rounding (Jacobson et al.
+2013).
 """
 
 from __future__ import annotations
@@ -17,23 +18,28 @@ from solutions.polyhedra.surface import blocks, directed_edges
 from solutions.scaling import in_moderate_units, in_unit
 
 FAR = np.float64(2.0**300)
-"""From farther away than this many sizes of a mesh, its solid angle is below 1e-180."""
+"""From farther away than this many sizes of a mesh, its solid angle is below
+1e-180."""
 
 FEW_FACES = 8
 FEW_POINTS = 150
 """Up to these numbers of faces, or of points, all solid angles are summed."""
 MANY_POINTS = 1000
 MANY_ANGLES = 5_000_000
-"""A mesh is cut for this many points, or for fewer ones with this many angles in all.
+"""A mesh is cut for this many points, or for fewer ones with this many angles
+in all.
 
 For less than that, the search for caps takes longer than the sum.
 """
 SAVING = 0.7
-"""Caps with more than this share of the faces would not repay the search for them."""
+"""Caps with more than this share of the faces would not repay the search for
+them."""
 MARGIN = 2.0**-10
-"""How far beyond the box of a part a point must be, as a share of the box's size."""
+"""How far beyond the box of a part a point must be, as a share of the box's
+size."""
 IN_CACHE = 4
-"""By how much blocks are smaller here, so that a block's arrays fit in the cache."""
+"""By how much blocks are smaller here, so that a block's arrays fit in the
+cache."""
 
 
 def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
@@ -62,25 +68,33 @@ def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
 
     Notes
     -----
-    Let a, b and c be the vectors from the point to the corners. The solid angle
-    Ω follows from (van Oosterom and Strackee 1983)
+    Let a, b and c be the vectors from the point to the corners. The solid
+    angle Ω follows from (van Oosterom and Strackee 1983)
 
         tan(Ω/2) = a·(b×c) / (‖a‖‖b‖‖c‖ + (a·b)‖c‖ + (b·c)‖a‖ + (c·a)‖b‖)
 
-    The numerator gives Ω its sign. It is computed as a·((b − a)×(c − a)), which
-    is the same, because the normal of the triangle does not depend on the
-    point: so the numerator is exactly zero wherever that plane goes through the
-    point. The denominator is negative where Ω is more than π, and the function
-    of the arc takes both with their signs.
+    The numerator gives Ω its sign. It is computed as a·((b − a)×(c − a)),
+    which is the same, because the normal of the triangle does not depend on
+    the point: so the numerator is exactly zero wherever that plane goes
+    through the point. The denominator is negative where Ω is more than π, and
+    the function of the arc takes both with their signs.
     """
     p, corners = in_space("point", point), matrix("triangle", triangle)
-    coordinates, _, metre = in_moderate_units(corners.reshape(*corners.shape[:-2], 9))
+    coordinates, _, metre = in_moderate_units(
+        corners.reshape(*corners.shape[:-2], 9)
+    )
     p = np.clip(in_unit(p, metre), -FAR, FAR)
-    first, second, third = np.moveaxis(coordinates.reshape(corners.shape), -2, 0)
+    first, second, third = np.moveaxis(
+        coordinates.reshape(corners.shape), -2, 0
+    )
     normal = np.moveaxis(np.cross(second - first, third - first), -1, 0)
-    a, b, c = (np.moveaxis(corner - p, -1, 0) for corner in (first, second, third))
+    a, b, c = (
+        np.moveaxis(corner - p, -1, 0) for corner in (first, second, third)
+    )
     la, lb, lc = (np.sqrt(_dot(x, x)) for x in (a, b, c))
-    return 2 * _half_angle(_dot(a, normal), (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a)))
+    return 2 * _half_angle(
+        _dot(a, normal), (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a))
+    )
 
 
 def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
@@ -88,25 +102,29 @@ def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
     few = len(point) <= MANY_POINTS and len(point) * len(faces) <= MANY_ANGLES
     if few or len(point) <= FEW_POINTS:
         return sum_of_angles(point, vertices, faces)
-    # Vertices at the same place count as one, so that loose triangles have no rims.
+    # Vertices at one place count as one, so that loose triangles have no rims.
     places, number = np.unique(vertices, axis=0, return_inverse=True)
     return winding_of_part(point, places, number.reshape(-1)[faces])
 
 
 def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
-    """How often faces go round points (p, 3), where the faces are part of a mesh.
+    """How often faces go round points (p, 3); the faces are part of a mesh.
 
     Notes
     -----
-    A part and its cap, turned over, make a closed surface. This surface lies in the box
-    around the part, because a box is convex. It goes round no point outside the box. So
-    such a point sees the part and its cap under the same solid angle, and the cap has
-    fewer faces. A closed mesh has no rim, so its cap is empty.
+    A part and its cap, turned over, make a closed surface. This surface lies
+    in the box around the part, because a box is convex. It goes round no point
+    outside the box. So such a point sees the part and its cap under the same
+    solid angle, and the cap has fewer faces. A closed mesh has no rim, so its
+    cap is empty.
 
-    For the points in the box the function cuts the part in two, and asks the same of
-    each half.
+    For the points in the box the function cuts the part in two, and asks the
+    same of each half.
     """
-    low, high = np.min(vertices[faces], axis=(0, 1)), np.max(vertices[faces], axis=(0, 1))
+    low, high = (
+        np.min(vertices[faces], axis=(0, 1)),
+        np.max(vertices[faces], axis=(0, 1)),
+    )
     margin = MARGIN * np.max(high - low)
     near = np.all((point >= low - margin) & (point <= high + margin), axis=1)
     winding = np.empty(len(point))
@@ -117,11 +135,15 @@ def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
     return winding
 
 
-def _winding_of_halves(point: Array, vertices: Array, faces: Integers) -> Array:
+def _winding_of_halves(
+    point: Array, vertices: Array, faces: Integers
+) -> Array:
     if len(faces) > FEW_FACES and len(point) > FEW_POINTS:
         halves = _halves(vertices, faces)
         if sum(len(cap(half)) for half in halves) < SAVING * len(faces):
-            first, second = (winding_of_part(point, vertices, half) for half in halves)
+            first, second = (
+                winding_of_part(point, vertices, half) for half in halves
+            )
             return np.asarray(first + second)
     return _sum_of_part(point, vertices, faces)
 
@@ -129,23 +151,32 @@ def _winding_of_halves(point: Array, vertices: Array, faces: Integers) -> Array:
 def _halves(vertices: Array, faces: Integers) -> tuple[Integers, Integers]:
     """The faces on either side of a cut across the mesh's longest side."""
     middle = np.mean(vertices[faces], axis=1)
-    order = np.argsort(middle[:, np.argmax(np.ptp(middle, axis=0))], kind="stable")
+    order = np.argsort(
+        middle[:, np.argmax(np.ptp(middle, axis=0))], kind="stable"
+    )
     return faces[order[: len(faces) // 2]], faces[order[len(faces) // 2 :]]
 
 
 def cap(faces: Integers) -> Integers:
-    """Faces with the same rim: triangles from one vertex of the rim to all its edges.
+    """Faces with the same rim: triangles from one vertex to all edges of it.
 
-    The rim consists of the edges through which more faces run one way than the other.
+    The rim consists of the edges through which more faces run one way than the
+    other.
     """
     edges = directed_edges(faces)
-    # One whole number for the two ends of an edge is sorted faster than the two.
+    # One whole number for both ends of an edge is sorted faster than the two.
     count = np.max(edges, initial=0) + 1
-    code, number = np.unique(edges.min(axis=1) * count + edges.max(axis=1), return_inverse=True)
+    code, number = np.unique(
+        edges.min(axis=1) * count + edges.max(axis=1), return_inverse=True
+    )
     edge = np.column_stack(np.divmod(code, count))
     way = np.sign(edges[:, 1] - edges[:, 0])  # 0 for an edge without length
     excess = np.bincount(number.reshape(-1), way, len(edge)).astype(np.int64)
-    rim = np.repeat(np.where(excess[:, None] > 0, edge, edge[:, ::-1]), np.abs(excess), axis=0)
+    rim = np.repeat(
+        np.where(excess[:, None] > 0, edge, edge[:, ::-1]),
+        np.abs(excess),
+        axis=0,
+    )
     if not len(rim):
         return np.empty((0, 3), dtype=np.int64)
     top = np.argmax(np.bincount(rim.reshape(-1)))
@@ -154,12 +185,14 @@ def cap(faces: Integers) -> Integers:
 
 
 def sum_of_angles(point: Array, vertices: Array, faces: Integers) -> Array:
-    """The sum of the solid angles of all faces, as seen from points (p, 3), over 4π."""
+    """The sum of the solid angles of all faces from points (p, 3), over 4π."""
     first, second, third = np.moveaxis(vertices[faces], 1, 0)
     normal = np.cross(second - first, third - first)
     winding = np.zeros(len(point))
     for block in blocks(len(point), IN_CACHE * len(faces)):
-        winding[block] = np.sum(_half_solid_angles(point[block], vertices, faces, normal), axis=1) / (2 * np.pi)
+        winding[block] = np.sum(
+            _half_solid_angles(point[block], vertices, faces, normal), axis=1
+        ) / (2 * np.pi)
     return winding
 
 
@@ -169,21 +202,35 @@ def _sum_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
     return sum_of_angles(point, vertices[needed], number.reshape(-1, 3))
 
 
-def _half_solid_angles(point: Array, vertices: Array, faces: Integers, normal: Array) -> Array:
+def _half_solid_angles(
+    point: Array, vertices: Array, faces: Integers, normal: Array
+) -> Array:
     """Ω/2 of every face, (points, f); its normal is twice its area long."""
     # With x, y, z along the first axis, sums of three are faster.
     to_vertex = vertices.T[:, None] - point.T[..., None]
     length = np.sqrt(_dot(to_vertex, to_vertex))
     a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
     la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
-    volume = _dot(a, normal.T[:, None])  # a·(b×c), with b − a and c − a for b and c
-    return _half_angle(volume, (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a)))
+    volume = _dot(
+        a, normal.T[:, None]
+    )  # a·(b×c), with b − a and c − a for b and c
+    return _half_angle(
+        volume, (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a))
+    )
 
 
-def _half_angle(volume: Array, lengths: tuple[Array, Array, Array], products: tuple[Array, Array, Array]) -> Array:
-    """Ω/2 from a·(b×c), from the lengths of a, b and c, and from a·b, b·c and c·a."""
+def _half_angle(
+    volume: Array,
+    lengths: tuple[Array, Array, Array],
+    products: tuple[Array, Array, Array],
+) -> Array:
+    """Ω/2 from a·(b×c), ‖a‖, ‖b‖ and ‖c‖, and from a·b, b·c and c·a."""
     (la, lb, lc), (ab, bc, ca) = lengths, products
-    return np.where(volume == 0, 0.0, np.arctan2(volume, (la * lb + ab) * lc + bc * la + ca * lb))
+    return np.where(
+        volume == 0,
+        0.0,
+        np.arctan2(volume, (la * lb + ab) * lc + bc * la + ca * lb),
+    )
 
 
 def _dot(a: Array, b: Array) -> Array:
