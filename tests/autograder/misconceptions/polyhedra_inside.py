@@ -113,8 +113,8 @@ BANK = (
       "Where the ray goes through an edge, none of the faces there is counted: it slips out between two triangles.",
       "Through which of its two triangles does a ray cross the side of a cube at the diagonal? Count one of them."),
     M("inside_by_parity", "line for ray", counted(lambda t, s: within(t) & (np.sum(t, axis=0) * s != 0)),
-      "No point is inside. Are faces behind the start counted as well? A line goes into a closed surface as often as out"
-      " of it, so that the number is always even.",
+      "No point is inside. Are faces behind the start counted as well? A line goes into a closed surface as often as"
+      " out of it, so that the number is always even.",
       "How often does a line through the whole solid cross its surface?"),
     M("inside_by_parity", "even for odd", lambda p, v, f: right(p, v, f)[0] % 2 == 0,
       "An odd number of crossings counts as outside, and an even one as inside.",

@@ -80,10 +80,11 @@ def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
     assert "✗" not in of_the_student(without_drafts(cells)).replace("✗ fail", "")
     assert not re.search(r"· \w+ +to do", said)
     assert not re.search(REFUSED, said, re.MULTILINE)
-    assert "Your implementation waits for" in said  # what is asked before it is written
+    if topic != "polyhedra":  # its loop is in the lesson, and its first runs beside engines come after their functions
+        assert "Your implementation waits for" in said
+        assert "you predicted" in said  # beside what came
     assert "functions right. Hidden tests" in said
     assert "You predict" in said
-    assert "you predicted" in said  # beside what came
     assert "Put your guess" not in said
 
 

@@ -70,7 +70,7 @@ def test_a_file_without_functions_is_refused_with_the_reason(text, code, says, t
 def test_a_topic_without_tests_is_refused(tmp_path):
     (tmp_path / "lab.py").write_text("x = 3\n")
     assert checked(tmp_path / "lab.py", "--topic", "nothing")[0] == 2
-    code, text = checked(tmp_path / "lab.py", "--topic", "world")
+    code, text = checked(tmp_path / "lab.py", "--topic", "meshes")
     assert code == 2
     assert "there are tests of detection" in joined(text)
 
