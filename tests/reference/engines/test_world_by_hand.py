@@ -108,7 +108,7 @@ def test_an_implementation_without_a_world_needs_its_step(tmp_path):
     mine.write_text("")
     scenario = ball("needs", (0.0, 0.0), 0.5)
     engine = load_engine("handwritten", Implementation(str(mine)))
-    with pytest.raises(NeedsFunction, match=r"^needs step_world \(world, step 7\)$"):
+    with pytest.raises(NeedsFunction, match=r"^needs step_world \(world, step 10\)$"):
         engine.run(scenario, engine.settings(scenario, "world"))
 
 
