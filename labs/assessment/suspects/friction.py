@@ -34,14 +34,15 @@ def support_force(
     normal: ArrayLike,
 ) -> tuple[float, Array]:
     """What the scales of an airport show, and what is left along them."""
-    every = mass * (np.asarray(gravity, dtype=float) - frame_acceleration) + push
+    fall = np.asarray(gravity, dtype=float) - np.asarray(frame_acceleration, dtype=float)
+    every = mass * fall + np.asarray(push, dtype=float)
     n = np.asarray(normal, dtype=float)
     return float(-every @ n), np.asarray(every - (every @ n) * n)
 
 
 def clamp_to_circle(tangent_force: ArrayLike, limit: float) -> Array:
     """Grip of a tyre in a racing game."""
-    return np.clip(np.asarray(tangent_force, dtype=float), -limit, limit)
+    return np.asarray(np.clip(np.asarray(tangent_force, dtype=float), -limit, limit))
 
 
 def _carried(program: Callable[..., Any]) -> str:
