@@ -40,7 +40,7 @@ def _named(_name: str, value: Any) -> Any:
 
 
 CHECKS = dict.fromkeys(
-    ("finite", "not_negative", "positive", "in_unit_interval", "unit", "vector", "matrix"), _named
+    ("finite", "not_negative", "positive", "whole", "in_unit_interval", "unit", "vector", "matrix"), _named
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats}
 """What stands for the checks of what enters: they turn lists into arrays."""
 HELPERS = {
