@@ -75,10 +75,14 @@ def design_contact(
     k = e m v²/d² would be just enough. The rule here leaves a reserve for the
     weight and for the error of the steps.
     """
-    m, v = positive("mass", mass), positive("speed", speed)
-    d, e = positive("depth", depth), positive("restitution", restitution)
-    n = positive("steps_per_contact", steps_per_contact)
-    omega = finite("speed", v) / finite("depth", d)
-    k = m * omega**2
-    dt = np.pi / (omega * finite("steps_per_contact", n))
-    return k, penalty_damping(e, m, k), dt
+    m, v = _number("mass", mass), _number("speed", speed)
+    d, e = _number("depth", depth), _number("restitution", restitution)
+    n = _number("steps_per_contact", steps_per_contact)
+    k = np.asarray(m * (v / d) ** 2)
+    half_period = np.pi / np.sqrt(k / m)
+    return k, penalty_damping(e, m, k), np.asarray(half_period / n)
+
+
+def _number(name: str, value: ArrayLike) -> Array:
+    """Return the value as an array; refuse what is not positive and finite."""
+    return finite(name, positive(name, value))
