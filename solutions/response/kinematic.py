@@ -1,4 +1,4 @@
-"""Kinematic response: the collision gives the body a new velocity at once (slide 7)."""
+"""Kinematic response: a collision gives a body a new velocity (slide 7)."""
 
 from __future__ import annotations
 
@@ -13,80 +13,59 @@ def kinematic_response(
     velocity: ArrayLike,
     normal: ArrayLike,
     restitution: ArrayLike,
+    plane_velocity: ArrayLike = (0.0, 0.0, 0.0),
 ) -> Array:
-    """Velocity after the collision, its normal component reversed and scaled (slide 7).
+    """Velocity after a collision with a plane that nothing can stop (slide 7).
+
+    The plane may move. It keeps its own velocity, and it has no friction: a
+    plane that slides within itself does not drag the body along.
 
     Parameters
     ----------
-    velocity : (..., 3), m/s, relative to the plane
+    velocity : (..., 3), v, m/s
     normal : (..., 3), unit, out of the plane
     restitution : (...), e, 0 to 1
+    plane_velocity : (..., 3), w, m/s
 
     Returns
     -------
     (..., 3), m/s
-        A body that moves away, moves along the plane or does not move keeps its
-        velocity.
+        A body keeps its velocity where it and the plane do not approach each
+        other along the normal: it moves away from the plane, or beside it.
 
     Raises
     ------
     ValueError
-        If a normal does not have length 1, e is not from 0 to 1, or a vector does not
-        have three components.
+        If a normal does not have length 1, e is not from 0 to 1, or a vector
+        does not have three components.
 
     Notes
     -----
-    The velocity is the sum of its component along the plane, v − (v·N) N, and its
-    normal component (v·N) N. The collision leaves the first as it is and multiplies the
-    second by −e. Added up again, this is
+    Sit on the plane. From there the body has the velocity u = v − w, and the
+    collision is that with a plane at rest. The velocity u is the sum of its
+    component along the plane, u − (u·N) N, and its normal component (u·N) N.
+    The collision leaves the first as it is and multiplies the second by −e.
+    Added up again, this is
 
-        v' = v − (1 + e) (v·N) N    if v·N < 0
+        u' = u − (1 + e) (u·N) N    if u·N < 0
 
-    The slide's v − 2 (v·N) N is the case e = 1. The slide has no guard: its formula,
-    applied to a body that already moves away, would throw the body back in.
-    """
-    v, n = vector("velocity", velocity), unit("normal", vector("normal", normal))
-    approach = np.minimum(np.vecdot(v, n), 0.0)
-    return np.asarray(v - ((1 + in_unit_interval("restitution", restitution)) * approach)[..., None] * n)
-
-
-def moving_plane_response(
-    velocity: ArrayLike,
-    plane_velocity: ArrayLike,
-    normal: ArrayLike,
-    restitution: ArrayLike,
-) -> Array:
-    """Velocity after the collision with a moving plane that nothing can stop (slide 7).
-
-    Parameters
-    ----------
-    velocity, plane_velocity : (..., 3), v and w, m/s
-    normal : (..., 3), unit, out of the plane
-    restitution : (...), e, 0 to 1
-
-    Returns
-    -------
-    (..., 3), m/s
-        A body that the plane does not gain on keeps its velocity.
-
-    Raises
-    ------
-    ValueError
-        As kinematic_response.
-
-    Notes
-    -----
-    The slide's rule holds for the relative velocity u = v − w, where w is the velocity
-    of the plane: u' = u − (1 + e) (u·N) N. The plane keeps its velocity, so that
-    v' = u' + w:
+    The plane keeps its velocity, so that v' = u' + w:
 
         v' = v − (1 + e) (u·N) N    if u·N < 0
 
-    A racket that comes to meet a ball at speed w sends it back with e v + (1 + e) w.
-    The energy of the ball may grow, because the plane does work on it. There is no
-    friction: a plane that slides within itself does not drag the body along.
+    The slide's v − 2 (v·N) N is the case w = 0 and e = 1. The slide has no
+    guard: its formula, applied to a body that already moves away, would throw
+    the body back in.
+
+    A racket that comes to meet a ball at speed w sends it back with
+    e v + (1 + e) w. The energy of the ball may grow, because the plane does
+    work on it.
     """
-    v, w = vector("velocity", velocity), vector("plane_velocity", plane_velocity)
-    n, e = unit("normal", vector("normal", normal)), in_unit_interval("restitution", restitution)
+    v, w = (
+        vector("velocity", velocity),
+        vector("plane_velocity", plane_velocity),
+    )
+    n = unit("normal", vector("normal", normal))
+    e = in_unit_interval("restitution", restitution)
     approach = np.minimum(np.vecdot(v - w, n), 0.0)
     return np.asarray(v - ((1 + e) * approach)[..., None] * n)

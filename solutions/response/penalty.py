@@ -1,7 +1,7 @@
 """Penalty response: a spring and a dashpot push the body out again (slide 8).
 
-Throughout this module ω = √(k/m) and ζ = c/(2 √(k m)), with stiffness k, damping c and
-mass m.
+Throughout this module ω = √(k/m) and ζ = c/(2 √(k m)), with stiffness k,
+damping c and mass m.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def penalty_force(
     damping: ArrayLike = 0.0,
     adhesive: bool = False,
 ) -> Array:
-    """Force of a contact made of a spring and a dashpot side by side (slide 8).
+    """Force of a contact made of a spring beside a dashpot (slide 8).
 
     The spring has the rest length zero, and the force acts along the normal.
 
@@ -39,14 +39,14 @@ def penalty_force(
     Returns
     -------
     (..., 3), N
-        0 where s ≥ 0. Never towards the plane, unless the contact is adhesive: a
-        damping force that exceeds that of the spring then pulls.
+        0 where s ≥ 0. Never towards the plane, unless the contact is adhesive:
+        a damping force that exceeds that of the spring then pulls.
 
     Raises
     ------
     ValueError
-        If k or c is negative or infinite, a motion is not finite, or a normal does not
-        have length 1.
+        If k or c is negative or infinite, a motion is not finite, or a normal
+        does not have length 1.
 
     Notes
     -----
@@ -54,16 +54,18 @@ def penalty_force(
 
         F = max(0, k d − c v_n) N    and F = 0 while s ≥ 0
 
-    The slide's F = k d has no direction. It has no damping, so that no impact loses
-    energy, and nothing keeps it from pulling. `adhesive` leaves out the max, as LAMMPS
-    does: the dashpot then holds the body back on its way out.
+    The slide's F = k d has no direction. It has no damping, so that no impact
+    loses energy, and nothing keeps it from pulling. `adhesive` leaves out the
+    max, as LAMMPS does: the dashpot then holds the body back on its way out.
     """
     depth = -finite("separation", separation)
     k = finite("stiffness", not_negative("stiffness", stiffness))
     c = finite("damping", not_negative("damping", damping))
     push = k * depth - c * finite("normal_velocity", normal_velocity)
-    push = np.where(depth > 0, push if adhesive else np.maximum(push, 0.0), 0.0)
-    return np.asarray(push[..., None] * unit("normal", vector("normal", normal)))
+    push = push if adhesive else np.maximum(push, 0.0)
+    push = np.where(depth > 0, push, 0.0)
+    n = unit("normal", vector("normal", normal))
+    return np.asarray(push[..., None] * n)
 
 
 def penalty_rest_depth(
@@ -71,7 +73,7 @@ def penalty_rest_depth(
     gravity: ArrayLike,
     stiffness: ArrayLike,
 ) -> Array:
-    """Depth at which a body lies in a penalty floor that carries its weight (slide 8).
+    """Depth at which a penalty floor carries the weight of a body (slide 8).
 
     Parameters
     ----------
@@ -103,9 +105,10 @@ def penalty_step_limit(
     stiffness: ArrayLike,
     damping: ArrayLike = 0.0,
 ) -> Array:
-    """Timestep above which semi-implicit Euler shakes a penalty contact (slide 8).
+    """Timestep above which a penalty contact is shaken apart (slide 8).
 
-    Below this limit the contact comes to rest.
+    The steps are those of semi-implicit Euler. Below this limit the contact
+    comes to rest.
 
     Parameters
     ----------
@@ -128,10 +131,11 @@ def penalty_step_limit(
 
         [[1 − ω²Δt², Δt(1 − 2ζωΔt)], [−ω²Δt, 1 − 2ζωΔt]]
 
-    Its determinant is 1 − 2ζωΔt and its trace is 2 − ω²Δt² − 2ζωΔt. As Δt grows, one
-    eigenvalue reaches −1, and from there on the motion changes its sign at every step
-    and does not die out. An eigenvalue is −1 where 1 + trace + determinant = 0, that is
-    where ω²Δt² + 4ζωΔt − 4 = 0. The positive solution is the limit:
+    Its determinant is 1 − 2ζωΔt and its trace is 2 − ω²Δt² − 2ζωΔt. As Δt
+    grows, one eigenvalue reaches −1, and from there on the motion changes its
+    sign at every step and does not die out. An eigenvalue is −1 where
+    1 + trace + determinant = 0, that is where ω²Δt² + 4ζωΔt − 4 = 0. The
+    positive solution is the limit:
 
         Δt < (2/ω)(√(1 + ζ²) − ζ)
 
@@ -139,16 +143,18 @@ def penalty_step_limit(
     1/(ζω) = 2 m/c with a lot of it.
     """
     omega, zeta = frequency_and_ratio(mass, stiffness, damping)
-    # 1/(√(1 + ζ²) + ζ) is √(1 + ζ²) − ζ without a difference that loses digits.
+    # √(1 + ζ²) − ζ, as 1/(√(1 + ζ²) + ζ), so that no difference loses digits
     return np.asarray(2 / (omega * (np.sqrt(1 + zeta**2) + zeta)))
 
 
 def frequency_and_ratio(mass: ArrayLike, stiffness: ArrayLike, damping: ArrayLike) -> tuple[Array, Array]:
     """The undamped frequency ω, rad/s, and the damping ratio ζ."""
     m, k = mass_and_stiffness(mass, stiffness)
-    return np.sqrt(k / m), np.asarray(finite("damping", not_negative("damping", damping)) / (2 * root_of_product(k, m)))
+    c = finite("damping", not_negative("damping", damping))
+    return np.sqrt(k / m), np.asarray(c / (2 * root_of_product(k, m)))
 
 
 def mass_and_stiffness(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:
-    """Mass and stiffness in kg and N/m, as arrays; both positive and finite."""
-    return finite("mass", positive("mass", mass)), finite("stiffness", positive("stiffness", stiffness))
+    """Mass and stiffness, kg and N/m, as arrays; positive and finite."""
+    m, k = positive("mass", mass), positive("stiffness", stiffness)
+    return finite("mass", m), finite("stiffness", k)

@@ -1,6 +1,7 @@
 """A step with one collision (slide 6).
 
-A program can back up to the instant of the collision, or respond at a time step.
+A program can back up to the instant of the collision, or respond at a time
+step.
 """
 
 from __future__ import annotations
@@ -23,9 +24,10 @@ def respond_at_impact(
     time_of_impact: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """State after a step with one collision, reached by backing up to it (slide 6).
+    """State after a step with one collision, by backing up to it (slide 6).
 
-    The body moves freely to T, responds there, and moves freely to the end of the step.
+    The body moves freely to T, responds there, and moves freely to the end of
+    the step.
 
     Parameters
     ----------
@@ -49,16 +51,17 @@ def respond_at_impact(
 
     Notes
     -----
-    The slide stops at the response. The rest of the step, Δt − T, must be integrated
-    with the new velocity. If a program left it out, every bounce would lose half a step
-    of time on average.
+    The slide stops at the response. The rest of the step, Δt − T, must be
+    integrated with the new velocity. If a program left it out, every bounce
+    would lose half a step of time on average.
     """
-    time, dt = not_negative("time_of_impact", time_of_impact), not_negative("dt", dt)
+    time = not_negative("time_of_impact", time_of_impact)
+    dt = not_negative("dt", dt)
     struck, before = time <= dt, np.minimum(time, dt)
-    position, velocity = ballistic_motion(position, velocity, acceleration, before)
-    answered = kinematic_response(velocity, normal, restitution)
-    velocity = np.where(struck[..., None], answered, velocity)
-    return ballistic_motion(position, velocity, acceleration, dt - before)
+    p, v = ballistic_motion(position, velocity, acceleration, before)
+    answered = kinematic_response(v, normal, restitution)
+    v = np.where(struck[..., None], answered, v)
+    return ballistic_motion(p, v, acceleration, dt - before)
 
 
 def respond_at_step(
@@ -70,27 +73,30 @@ def respond_at_step(
     restitution: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """State after a step that looks for a collision only at its start (slide 6).
+    """State after a step that looks for a collision at its start (slide 6).
 
-    This is the slide's response at time steps. A body that starts the step behind the
-    plane and moves in gets its new velocity at once. It then takes a step of
-    semi-implicit Euler, and for this one step the plane carries its weight.
+    This is the slide's response at time steps. A body that starts the step
+    behind the plane and moves in gets its new velocity at once. It then takes
+    a step of semi-implicit Euler, and for this one step the plane carries its
+    weight.
 
     Parameters
     ----------
     position, velocity, acceleration : (..., 3), m, m/s, m/s²
         At the start of the step.
     normal : (..., 3), unit, out of the plane
-    behind : (...), bool, whether the body is behind the plane, as from `side_of_plane`
+    behind : (...), bool
+        Whether the body is behind the plane, as from `side_of_plane`.
     restitution : (...), e, 0 to 1
     dt : (...), s, length of the step
 
     Returns
     -------
     position, velocity : (..., 3) each, at the end of the step
-        A body that responds is not moved back to the plane. Of its acceleration, the
-        plane takes the component that presses the body onto it, and leaves the rest. A
-        body in front of the plane, or on its way out, takes the free step.
+        A body that responds is not moved back to the plane. Of its
+        acceleration, the plane takes the component that presses the body onto
+        it, and leaves the rest. A body in front of the plane, or on its way
+        out, takes the free step.
 
     Raises
     ------
@@ -99,31 +105,37 @@ def respond_at_step(
 
     Notes
     -----
-    A ball that is dropped arrives at the plane with the speed v. It is noticed at a
-    depth of up to v Δt, on average v Δt/2, and turns there. Its apex would be at e²h.
-    On average over all phases of the steps it differs from that by
+    A ball that is dropped arrives at the plane with the speed v. It is noticed
+    at a depth of up to v Δt, on average v Δt/2, and turns there. Its apex
+    would be at e²h. On average over all phases of the steps it differs from
+    that by
 
         −(1 − e) v Δt/2
 
-    because the rebound starts v Δt/2 too low, and in its first step the ball moves with
-    the whole e v. So its steps rise e v Δt/2 higher than the parabola.
+    because the rebound starts v Δt/2 too low, and in its first step the ball
+    moves with the whole e v. So its steps rise e v Δt/2 higher than the
+    parabola.
 
-    The same loop may do the three things in another order. Both other orders cost as
-    much and err more:
+    The same loop may do the three things in another order. Both other orders
+    cost as much and err more:
 
-    - Fly exactly over the whole step, then respond: −(1 − e²) v Δt/2. On its way into
-      the plane the ball has also gained speed, and the rebound keeps e² of that energy.
-    - Take a semi-implicit step with the weight, then respond: −(1 + e) v Δt/2. The
-      first step of the rebound already loses g Δt, and so the steps of the rebound
-      rise e v Δt/2 less than the parabola.
+    - Fly exactly over the whole step, then respond: −(1 − e²) v Δt/2. On its
+      way into the plane the ball has also gained speed, and the rebound keeps
+      e² of that energy.
+    - Take a semi-implicit step with the weight, then respond:
+      −(1 + e) v Δt/2. The first step of the rebound already loses g Δt, and so
+      the steps of the rebound rise e v Δt/2 less than the parabola.
 
-    The order of this function is chosen because its error is the smallest, and because
-    physics engines use it too: they look for contacts, change the velocities and move.
+    The order of this function is chosen because its error is the smallest, and
+    because physics engines use it too: they look for contacts, change the
+    velocities and move.
     """
     v, n = vector("velocity", velocity), np.asarray(normal, dtype=float)
     pull, dt = vector("acceleration", acceleration), not_negative("dt", dt)
     behind = np.asarray(behind, dtype=bool)
-    start = np.where(behind[..., None], kinematic_response(v, n, restitution), v)
+    answered = kinematic_response(v, n, restitution)
+    start = np.where(behind[..., None], answered, v)
     struck = behind & (np.vecdot(v, n) < 0)
     carried = np.where(struck, np.minimum(np.vecdot(pull, n), 0.0), 0.0)
-    return semi_implicit_euler(position, start, pull - carried[..., None] * n, dt)
+    pull = pull - carried[..., None] * n
+    return semi_implicit_euler(position, start, pull, dt)

@@ -20,11 +20,13 @@ class OneCase:
     """What a function takes and gives for a single contact.
 
     axes: how many axes each argument has, by position; of a tuple, such as a body, how many each part has. Arguments
-    further on are numbers. outputs: how many things the function returns.
+    further on are numbers. outputs: how many things the function returns. before: how many axes of each of these come
+    before those of the contacts, such as the steps of a run.
     """
 
     axes: tuple[Any, ...]
     outputs: int = 1
+    before: int = 0
 
     def leading(self, arguments: tuple[Any, ...]) -> tuple[int, ...]:
         """The axes along which the contacts of a call lie; none for a single contact.
@@ -60,8 +62,11 @@ class OneCase:
         shape = self.leading(arguments)
         value = function(*self._with(arguments, lambda value, axes: _row(value, axes, shape)))
         parts = [value] if self.outputs == 1 else list(value)
-        unrolled = tuple(np.reshape(part, shape + np.shape(part)[1:]) for part in parts)
+        unrolled = tuple(self._unrolled(np.asarray(part), shape) for part in parts)
         return unrolled[0] if self.outputs == 1 else unrolled
+
+    def _unrolled(self, part: Array, shape: tuple[int, ...]) -> Array:
+        return part.reshape(part.shape[: self.before] + shape + part.shape[self.before + 1 :])
 
     def _axes_of(self, place: int) -> Any:
         return self.axes[place] if place < len(self.axes) else 0
@@ -84,10 +89,17 @@ class OneCase:
         if not answers:
             raise ValueError("there is no contact")
         if self.outputs == 1:
-            return _side_by_side(answers, shape)
+            return self._side_by_side(answers, shape)
         if any(not isinstance(answer, list | tuple | np.ndarray) or len(answer) != self.outputs for answer in answers):
             raise ValueError(f"an answer is not {self.outputs} things")
-        return tuple(_side_by_side([answer[at] for answer in answers], shape) for at in range(self.outputs))
+        return tuple(self._side_by_side([answer[at] for answer in answers], shape) for at in range(self.outputs))
+
+    def _side_by_side(self, answers: Sequence[Any], shape: tuple[int, ...]) -> Array:
+        stacked = np.stack([np.asarray(answer) for answer in answers])
+        found = stacked.reshape(shape + stacked.shape[1:])
+        if not self.before:
+            return found
+        return np.moveaxis(found, range(len(shape)), range(self.before, self.before + len(shape)))
 
 
 def _is_group(value: Any, axes: Any) -> bool:
@@ -118,8 +130,3 @@ def _row(value: Any, axes: int, shape: tuple[int, ...]) -> Any:
 def _spread(value: Any, axes: int, shape: tuple[int, ...]) -> Array:
     array = np.asarray(value)
     return np.broadcast_to(array, shape + array.shape[array.ndim - axes :])
-
-
-def _side_by_side(answers: Sequence[Any], shape: tuple[int, ...]) -> Array:
-    stacked = np.stack([np.asarray(answer) for answer in answers])
-    return stacked.reshape(shape + stacked.shape[1:])

@@ -1,4 +1,4 @@
-"""What each thing is called that a function returns, for functions that return several; as its description calls it."""
+"""What each thing is called that a function returns, as its description calls it, and how its axes lie."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ _VELOCITIES = ("v_A", "ω_A", "v_B", "ω_B")
 OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "count_impacts": ("count", "position"),
     "overlap_interval": ("start", "end"),
+    "bounce": ("positions", "velocities"),
+    "design_contact": ("stiffness", "damping", "timestep"),
     "respond_at_step": ("position", "velocity"),
     "respond_at_impact": ("position", "velocity"),
     "sliding_motion": ("position", "velocity", "stopping time"),
@@ -21,11 +23,18 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "convex_separation": ("separation", "face"),
     "segment_triangle": ("fraction", "barycentric"),
 }
+_OF_RUNS = ("bounce",)
+"""Functions that return a run: the first axis of each thing counts its steps, the next ones the cases."""
 
 
 def output_names(function: str) -> tuple[str, ...]:
     """The names of what a function returns; none for a single thing."""
     return OUTPUT_NAMES.get(function, ())
+
+
+def axes_before(function: str) -> int:
+    """How many axes of what a function returns come before those of the cases of a call."""
+    return 1 if function in _OF_RUNS else 0
 
 
 def labelled(values: Sequence[str], names: Sequence[str]) -> str:

@@ -138,10 +138,13 @@ def plainly(*arguments: Any) -> tuple[Any, ...]:
     return usual("", *arguments).arguments
 
 
-def each(formula: Formula, sample: tuple[Any, ...]) -> Formula:
-    """Make a formula for one contact work for many; the shapes of the `sample` of arguments say what one contact is."""
+def each(formula: Formula, sample: tuple[Any, ...], before: int = 0) -> Formula:
+    """Make a formula for one contact work for many; the shapes of the `sample` of arguments say what one contact is.
+
+    before: how many axes of what it returns come before those of the contacts.
+    """
     outputs = formula(*sample)
-    case = OneCase(_axes(sample), len(outputs) if isinstance(outputs, tuple) else 1)
+    case = OneCase(_axes(sample), len(outputs) if isinstance(outputs, tuple) else 1, before)
     return lambda *arguments: case.one_by_one(formula, arguments)
 
 

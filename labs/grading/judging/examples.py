@@ -18,6 +18,7 @@ from typing import Any, cast
 import numpy as np
 
 from labs.grading.diagnosis.fingerprints.building import right_answer
+from labs.grading.diagnosis.output_names import axes_before
 from labs.grading.diagnosis.probes.probe import Draw, Maker, Probe, made
 from labs.grading.diagnosis.words import called
 from labs.grading.errors import FunctionRaised
@@ -66,7 +67,7 @@ class Examples:
         probes = made(name, (), maker, 0, single)
         function.foresee([probe.arguments for probe in probes])
         for probe in probes:
-            for_many = each(formula, sample)
+            for_many = each(formula, sample, axes_before(function.name))
             right, outputs = partial(right_answer, for_many, probe), outputs_of(for_many(*probe.arguments))
             check(function, probe.arguments, right, outputs, repeated=True)
             refuse_changes(function)

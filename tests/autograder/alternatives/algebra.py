@@ -45,15 +45,31 @@ def missing_probability(speed, thickness, radius, dt):
     return np.where(gap > 0, gap / np.where(gap > 0, way, 1), 0.0)
 
 
-def kinematic_response(velocity, normal, restitution):
+def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
     across = np.asarray(normal)[..., :, None] * np.asarray(normal)[..., None, :]
     mirror = np.eye(3) - (1 + np.asarray(restitution))[..., None, None] * across
-    bounced = np.matvec(mirror, velocity)
-    return np.where(np.sum(velocity * normal, axis=-1, keepdims=True) < 0, bounced, velocity)
+    closing = velocity - np.asarray(plane_velocity)
+    bounced = np.matvec(mirror, closing) + plane_velocity
+    return np.where(np.sum(closing * normal, axis=-1, keepdims=True) < 0, bounced, velocity)
 
 
-def moving_plane_response(velocity, plane_velocity, normal, restitution):
-    return plane_velocity + kinematic_response(velocity - plane_velocity, normal, restitution)
+def bounce(position, velocity, acceleration, normal, offset, restitution, dt, steps):
+    """Height over the plane and the motion along it, each by itself."""
+    n, e, dt = np.asarray(normal), np.asarray(restitution), np.asarray(dt)
+    place, speed, pull = (np.einsum("...i,...i", each, n) for each in (position, velocity, acceleration))
+    height, down = place + offset, np.minimum(pull, 0.0)
+    states = [np.broadcast_arrays(height, speed, dt, e)[:2]]
+    for _ in range(steps):
+        height, speed = states[-1]
+        struck = (height < 0) & (speed < 0)
+        speed = np.where(struck, -e * speed + (pull - down) * dt, speed + pull * dt)
+        states.append([height + speed * dt, speed])
+    heights, speeds = (np.stack(column) for column in zip(*states, strict=True))
+    count = np.arange(steps + 1).reshape(-1, *(1,) * (heights.ndim - 1))
+    time, half = col(count * dt), col(count * (count + 1) / 2 * dt * dt)
+    start, way, along = (a - col(b) * n for a, b in ((position, place), (velocity, np.einsum("...i,...i", velocity, n)),
+                                                    (acceleration, pull)))  # fmt: skip
+    return start + way * time + along * half + col(heights - offset) * n, way + along * time + col(speeds) * n
 
 
 def respond_at_impact(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
@@ -79,6 +95,19 @@ def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, a
 def penalty_step_limit(mass, stiffness, damping=0.0):
     damping = np.asarray(damping)
     return (np.sqrt(damping**2 + 4 * mass * stiffness) - damping) / stiffness
+
+
+def design_contact(mass, speed, depth, restitution, steps_per_contact):
+    """From the frequency; and ζ by halving an interval, from the logarithm of e."""
+    mass, speed, depth, steps = (np.asarray(each) for each in (mass, speed, depth, steps_per_contact))
+    loss, omega = -np.log(restitution), speed / depth
+    low, high = np.zeros(np.shape(loss)), np.full(np.shape(loss), 1e6)
+    for _ in range(200):
+        zeta = (low + high) / 2
+        root = np.sqrt(np.asarray(1 - zeta * zeta, dtype=complex))
+        lost = 2 * zeta * np.abs(np.arccos(np.asarray(zeta, dtype=complex)) / np.where(root == 0, 1, root))
+        low, high = np.where(lost < loss, zeta, low), np.where(lost < loss, high, zeta)
+    return mass * omega**2, 2 * low * mass * omega, np.pi / omega / steps
 
 
 def clamp_to_circle(tangent_force, limit):

@@ -1,6 +1,6 @@
 """Right answers for one contact alone, in plain Python, and as lists."""
 
-from math import inf, sqrt
+from math import sqrt
 
 
 def signed_distance(point, normal, offset):
@@ -22,37 +22,29 @@ def count_impacts(position, velocity, length, dt, duration):
     return [count, position]
 
 
-def kinematic_response(velocity, normal, restitution):
-    speed = sum(float(v) * float(n) for v, n in zip(velocity, normal, strict=True))
+def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+    seen = [float(v) - float(w) for v, w in zip(velocity, plane_velocity, strict=True)]
+    speed = sum(u * float(n) for u, n in zip(seen, normal, strict=True))
     if speed > 0:
         return [float(v) for v in velocity]
-    tangent = [v - speed * n for v, n in zip(velocity, normal, strict=True)]
-    return [float(t - restitution * speed * n) for t, n in zip(tangent, normal, strict=True)]
+    tangent = [u - speed * n for u, n in zip(seen, normal, strict=True)]
+    turned = [t - restitution * speed * n for t, n in zip(tangent, normal, strict=True)]
+    return [float(u + w) for u, w in zip(turned, plane_velocity, strict=True)]
 
 
-def time_until_rest(separation, normal_velocity, normal_acceleration, restitution):
-    s, u, a, e = max(separation, 0.0), normal_velocity, normal_acceleration, restitution
-    if s == 0 and u == 0 and a <= 0:
-        return 0.0
-    if a > 0:
-        return inf
-    if a == 0:
-        return s / -u if u < 0 and e == 0 else inf
-    if e == 1:
-        return inf
-    w = sqrt(u * u - 2 * a * s)
-    first = (w + u) / -a
-    return first + 2 * e * w / (-a * (1 - e))
-
-
-def penalty_rest_depth(mass, gravity, stiffness):
-    return mass / stiffness * gravity
+def penalty_step_limit(mass, stiffness, damping):
+    return (sqrt(damping * damping + 4 * mass * stiffness) - damping) / stiffness
 
 
 def support_force(mass, gravity, push, frame_acceleration, normal):
     every = [mass * g + f - mass * a for g, f, a in zip(gravity, push, frame_acceleration, strict=True)]
     out = sum(f * n for f, n in zip(every, normal, strict=True))
     return float(max(-out, 0)), [float(f - out * n) for f, n in zip(every, normal, strict=True)]
+
+
+def clamp_to_circle(tangent_force, limit):
+    size = sqrt(sum(float(f) ** 2 for f in tangent_force))
+    return [float(f) if size <= limit else float(f) / size * limit for f in tangent_force]
 
 
 def normal_velocity(body_a, body_b, normal):

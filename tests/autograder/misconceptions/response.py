@@ -19,6 +19,19 @@ def flight(p, v, a, t):
     return p + v * t + a * t**2 / 2, v + a * t
 
 
+STILL = (0.0, 0.0, 0.0)
+
+
+def seen(answer):
+    """The answer of a plane at rest, as it is seen from a plane that moves."""
+    return lambda v, n, e, w=STILL: w + answer(np.asarray(v) - w, n, e)
+
+
+def at_rest(answer):
+    """The answer of a plane at rest, also where the plane moves."""
+    return lambda v, n, e, w=STILL: answer(np.asarray(v), n, e) + 0 * np.asarray(w)
+
+
 def split(kept, turned):
     """Response from what becomes of the two components: factors of (tangent, normal), where it approaches."""
 
@@ -35,11 +48,6 @@ def axis_only(v, n, e):
     after = np.array(np.broadcast_arrays(v, n)[0])
     after[..., 2] = np.where(after[..., 2] < 0, -np.asarray(e) * after[..., 2], after[..., 2])
     return after
-
-
-def in_place(v, n, e):
-    v -= (1 + col(e)) * closing(v, n) * n
-    return v
 
 
 def all_at_once(v, n, e):
@@ -101,6 +109,10 @@ def mirror(v, n, e):
 
 def unguarded(v, n, e):
     return v - (1 + col(e)) * dot(v, n) * n
+
+
+def unguarded_at(v, n, e, w):
+    return v - (1 + col(e)) * dot(np.asarray(v) - w, n) * n
 
 
 def euler(p, v, a, dt):
@@ -169,176 +181,140 @@ def step_lost(p, v, a, n, behind, e, dt):
     return np.where(moves_in(behind, v, n), p + 0 * after[0], after[0]), after[1]
 
 
-def arrival(s, u, a):
-    s = np.maximum(s, 0)
-    squared = u * u - 2 * a * s
-    root, rising = np.sqrt(np.maximum(squared, 0)), np.asarray(u) >= 0
-    below = np.where(rising, -a, root - u)
-    come = (squared >= 0) & (below > 0)
-    return np.where(come, np.where(rising, u + root, 2 * s) / np.where(come, below, 1), np.inf), root
-
-
-def rests(total, lies=True):
-    """Time to rest from the first arrival t1, its speed w, the size g of the acceleration, and e."""
-
-    def time(s, u, a, e):
-        t, w = arrival(s, u, a)
-        g = np.where(np.asarray(a) < 0, -a, 1.0)
-        with np.errstate(all="ignore"):
-            found = total(t, w, g, np.asarray(e), np.asarray(u))
-        found = np.where(np.asarray(a) < 0, found, np.where((e == 0) & (np.asarray(a) == 0), t, np.inf))
-        there = (np.maximum(s, 0) == 0) & (u == 0) & (a <= 0)
-        return np.where(there, 0.0, found) if lies else found
-
-    return time
-
-
-def series(e, first, scale):
-    return first + np.where(e < 1, scale * e / np.where(e < 1, 1 - e, 1), np.inf)
-
-
 # fmt: off
 BANK = (
-    M("kinematic_response", "no guard", unguarded,
+    M("kinematic_response", "no guard", seen(unguarded),
       "The response is given whether or not the body approaches: the slide has no guard. "
       "A body that is leaving already is thrown back into the plane, and sticks there.",
       "What should become of a body that moves away?"),
-    M("kinematic_response", "the slide's mirror", lambda v, n, e: v - 2 * dot(v, n) * n + 0 * col(e),
-      "It is the slide's v − 2(v·N)N: every bounce is perfect, and there is no guard for a body that moves away.",
+    M("kinematic_response", "the slide's mirror", at_rest(lambda v, n, e: v - 2 * dot(v, n) * n + 0 * col(e)),
+      "It is the slide's v − 2(v·N)N: every bounce is perfect, there is no guard for a body that moves away, "
+      "and the plane is always at rest.",
+      "Where do the restitution and the plane's velocity come in? And what of a body that is leaving?"),
+    M("kinematic_response", "the slide's mirror, seen from the plane",
+      seen(lambda v, n, e: v - 2 * dot(v, n) * n + 0 * col(e)),
+      "It is the slide's v − 2(v·N)N, as seen from the plane: every bounce is perfect, "
+      "and there is no guard for a body that moves away.",
       "Where does the restitution come in? And what of a body that is leaving?"),
-    M("kinematic_response", "always perfect", mirror,
+    M("kinematic_response", "always perfect", seen(mirror),
       "Every bounce is perfect, as with the slide's 2: the restitution makes no difference.",
       "The slide's formula is right for one value of e. Which? What takes the place of the 2?"),
-    M("kinematic_response", "e for 1 + e", lambda v, n, e: v - col(e) * closing(v, n) * n,
+    M("kinematic_response", "e for 1 + e", seen(lambda v, n, e: v - col(e) * closing(v, n) * n),
       "e times the normal velocity is taken away. That only slows the body down: it goes on into the plane.",
       "How much has to be taken away to stop it? And how much more to send it back?"),
-    M("kinematic_response", "2 e for 1 + e", lambda v, n, e: v - 2 * col(e) * closing(v, n) * n,
+    M("kinematic_response", "2 e for 1 + e", seen(lambda v, n, e: v - 2 * col(e) * closing(v, n) * n),
       "The slide's 2 was multiplied with e. For e = 1 that is right; for e = 0 the body goes through the plane.",
       "Try e = 0. Where should the normal velocity be afterwards?"),
-    M("kinematic_response", "not turned round", lambda v, n, e: v - (1 - col(e)) * closing(v, n) * n,
+    M("kinematic_response", "not turned round", seen(lambda v, n, e: v - (1 - col(e)) * closing(v, n) * n),
       "The normal velocity comes out as e times itself, not reversed, "
       "as with 1 − e in place of 1 + e or with the prose of the slides: the body goes on into the plane, "
       "only more slowly.",
       "In which direction should it move afterwards? Try e = 1."),
-    M("kinematic_response", "sign of the change", lambda v, n, e: v + (1 + col(e)) * closing(v, n) * n,
+    M("kinematic_response", "sign of the change", seen(lambda v, n, e: v + (1 + col(e)) * closing(v, n) * n),
       "The change is added where it has to be taken away: the body is driven into the plane faster than it came.",
       "v·N is negative here. Which way does (v·N)N point?"),
-    M("kinematic_response", "guard turned round", lambda v, n, e: v - (1 + col(e)) * np.maximum(dot(v, n), 0) * n,
+    M("kinematic_response", "guard turned round", seen(lambda v, n, e: v - (1 + col(e)) * np.maximum(dot(v, n), 0) * n),
       "The guard is the wrong way round: bodies that move away are answered, bodies that approach go through.",
       "Which sign has v·N of a body that comes nearer, with N out of the plane?"),
-    M("kinematic_response", "tangent damped too", split(lambda e: e, lambda e: -e),
+    M("kinematic_response", "tangent damped too", seen(split(lambda e: e, lambda e: -e)),
       "e is applied to the whole velocity. "
       "Restitution is about the normal component alone: without friction a body keeps its speed along the plane.",
       "A puck slides along the boards and touches them. What slows its sliding?"),
-    M("kinematic_response", "tangent turned too", split(lambda e: -1, lambda e: -e),
+    M("kinematic_response", "tangent turned too", seen(split(lambda e: -1, lambda e: -e)),
       "The component along the plane is turned round as well: the body goes back the way it came.",
       "Draw a ball that hits the floor slanting. Which component changes?"),
-    M("kinematic_response", "whole velocity turned", split(lambda e: -e, lambda e: -e),
+    M("kinematic_response", "whole velocity turned", seen(split(lambda e: -e, lambda e: -e)),
       "The whole velocity is turned round and scaled by e: the body goes back the way it came.",
       "Draw a ball that hits the floor slanting. Which component changes?"),
-    M("kinematic_response", "tangent lost", split(lambda e: 0, lambda e: -e),
+    M("kinematic_response", "tangent lost", seen(split(lambda e: 0, lambda e: -e)),
       "Only the normal component comes back: the motion along the plane is lost.",
       "What becomes of the velocity along the plane?"),
-    M("kinematic_response", "tangent mirrored", split(lambda e: -1, lambda e: 1),
+    M("kinematic_response", "tangent mirrored", seen(split(lambda e: -1, lambda e: 1)),
       "2(v·N)N − v is the mirror image across the normal: right for a ray of light seen from its source, "
       "not for a ball.",
       "Which of the two components should change its sign?"),
-    M("kinematic_response", "e squared", split(lambda e: 1, lambda e: -e**2),
+    M("kinematic_response", "e squared", seen(split(lambda e: 1, lambda e: -e**2)),
       "e² scales the height of a bounce; the velocity is scaled by e.",
       "How does the height depend on the speed?"),
-    M("kinematic_response", "root of e", split(lambda e: 1, lambda e: -np.sqrt(e)),
+    M("kinematic_response", "root of e", seen(split(lambda e: 1, lambda e: -np.sqrt(e))),
       "The root of e would be right if e were a share of the energy. It is one of the speed.",
       "Of which quantity is e the fraction?"),
-    M("kinematic_response", "loses the rest", split(lambda e: 1, lambda e: -(1 - e)),
+    M("kinematic_response", "loses the rest", seen(split(lambda e: 1, lambda e: -(1 - e))),
       "e is taken for the share that is lost. It is the share that is kept.",
       "What does e = 1 stand for?"),
-    M("kinematic_response", "tangent scaled", split(lambda e: e, lambda e: -1),
+    M("kinematic_response", "tangent scaled", seen(split(lambda e: e, lambda e: -1)),
       "e is applied to the component along the plane, and the normal one bounces perfectly: the two are mixed up.",
       "Which component does restitution speak of?"),
-    M("kinematic_response", "along z only", axis_only,
+    M("kinematic_response", "along z only", seen(axis_only),
       "Only the z component is changed, whatever the normal: right for a floor, for no other plane.",
       "Which argument makes no difference to your answer?"),
     M("kinematic_response", "speed for velocity",
-      lambda v, n, e: np.where(dot(v, n) < 0, v + (1 + col(e)) * size(v) * n, v),
+      seen(lambda v, n, e: np.where(dot(v, n) < 0, v + (1 + col(e)) * size(v) * n, v)),
       "The whole speed is used in place of the normal velocity v·N: right only for a body that comes straight on.",
       "How fast does a body come nearer that moves nearly along the plane?"),
-    M("kinematic_response", "one for all", all_at_once,
+    M("kinematic_response", "one for all", seen(all_at_once),
       "With several contacts in one call, one decision is made for all of them.",
       "One body approaches, another leaves. Does each get its own answer?"),
-    M("kinematic_response", "no rebound", lambda v, n, e: v - closing(v, n) * n + 0 * col(e),
+    M("kinematic_response", "no rebound", seen(lambda v, n, e: v - closing(v, n) * n + 0 * col(e)),
       "The body is stopped at the plane and no more: the restitution makes no difference.",
       "Which argument makes no difference to your answer?"),
-    M("kinematic_response", "2 + e", lambda v, n, e: v - (2 + col(e)) * closing(v, n) * n,
+    M("kinematic_response", "2 + e", seen(lambda v, n, e: v - (2 + col(e)) * closing(v, n) * n),
       "e was added to the slide's 2: even with e = 0 the bounce is perfect.",
       "Try e = 0. Where should the normal velocity be afterwards?"),
-    M("kinematic_response", "change alone", lambda v, n, e: -(1 + col(e)) * closing(v, n) * n,
+    M("kinematic_response", "change alone",
+      lambda v, n, e, w=STILL: -(1 + col(e)) * closing(np.asarray(v) - w, n) * n,
       "It is the change of the velocity; the velocity from before is lost.",
       "What should come out of a body that moves away?"),
     M("kinematic_response", "divides by the speed",
-      lambda v, n, e: np.where(dot(v, n) < 0, v - (1 + col(e)) * dot(v, n) / size(v) * n, v),
+      seen(lambda v, n, e: np.where(dot(v, n) < 0, v - (1 + col(e)) * dot(v, n) / size(v) * n, v)),
       "The velocity is made a unit vector before its normal part is taken: the change is too small for a fast body.",
       "What unit has the number that you multiply with the normal?"),
-    M("kinematic_response", "unchanged", lambda v, n, e: 1.0 * np.asarray(v) + 0 * np.asarray(n) + 0 * col(e),
+    M("kinematic_response", "unchanged",
+      lambda v, n, e, w=STILL: 1.0 * np.asarray(v) + 0 * np.asarray(n) + 0 * col(e) + 0 * np.asarray(w),
       "The velocity comes back unchanged: nothing has been answered.",
       "What should be different afterwards?"),
-
-    M("moving_plane_response", "plane at rest", lambda v, w, n, e: respond(v, n, e) + 0 * w,
+    M("kinematic_response", "plane at rest", at_rest(respond),
       "The plane's velocity makes no difference: a racket that comes to meet the ball sends it back no faster.",
       "Which argument makes no difference to your answer?"),
-    M("moving_plane_response", "velocity in the plane's frame", lambda v, w, n, e: respond(v - w, n, e),
+    M("kinematic_response", "no guard, plane at rest", at_rest(unguarded),
+      "The response is given whether or not the body approaches, and the plane's velocity makes no difference.",
+      "What should become of a body that moves away? And which argument makes no difference to your answer?"),
+    M("kinematic_response", "always perfect, plane at rest", at_rest(mirror),
+      "Every bounce is perfect, as with the slide's 2, and off a plane at rest: neither the restitution "
+      "nor the plane's velocity makes a difference.",
+      "Which arguments make no difference to your answer?"),
+    M("kinematic_response", "velocity in the plane's frame",
+      lambda v, n, e, w=STILL: respond(np.asarray(v) - w, n, e),
       "It is the velocity as seen from the plane: the plane's own has to be added again.",
       "In whose frame was v given, and in whose is your answer?"),
-    M("moving_plane_response", "no guard", lambda v, w, n, e: v - (1 + col(e)) * dot(v - w, n) * n,
-      "The response is given whether or not the plane gains on the body.",
-      "What should become of a body that gets away?"),
-    M("moving_plane_response", "plane's velocity added", lambda v, w, n, e: v - (1 + col(e)) * closing(v + w, n) * n,
+    M("kinematic_response", "plane's velocity added",
+      lambda v, n, e, w=STILL: v - (1 + col(e)) * closing(np.asarray(v) + w, n) * n,
       "The velocities are added. What counts is their difference: how fast the body comes nearer, seen from the plane.",
       "Body and plane move side by side at the same speed. Do they collide?"),
-    M("moving_plane_response", "guard of the body alone",
-      lambda v, w, n, e: np.where(dot(v, n) < 0, v - (1 + col(e)) * dot(v - w, n) * n, v + 0 * w),
+    M("kinematic_response", "guard of the body alone",
+      lambda v, n, e, w=STILL: np.where(dot(v, n) < 0, unguarded_at(v, n, e, w), v + 0 * np.asarray(w)),
       "The guard looks at the body's own velocity; a plane may catch up with a body that moves away.",
       "Whose velocity says whether they come nearer?"),
-    M("moving_plane_response", "plane's velocity once", lambda v, w, n, e: respond(v, n, e) + dot(w, n) * n,
-      "The plane's velocity is added to the bounce off a plane at rest: it should come in 1 + e times, "
+    M("kinematic_response", "plane's velocity once", lambda v, n, e, w=STILL: respond(v, n, e) + dot(w, n) * n,
+      "The plane's velocity is added to the bounce off a plane at rest. It should come in 1 + e times, "
       "through the relative velocity.",
       "Perfect bounce: a ball at rest is met by a racket at speed w. How fast is it afterwards, seen from the racket?"),
-    M("moving_plane_response", "dragged along", lambda v, w, n, e: respond(v, n, e) + w,
+    M("kinematic_response", "plane's velocity once, where they meet",
+      lambda v, n, e, w=STILL: np.where(dot(np.asarray(v) - w, n) < 0, unguarded(v, n, e) + dot(w, n) * n, v),
+      "Where they meet, the plane's velocity is added once to the bounce off a plane at rest. "
+      "It should come in 1 + e times, through the relative velocity.",
+      "Perfect bounce: a ball at rest is met by a racket at speed w. How fast is it afterwards, seen from the racket?"),
+    M("kinematic_response", "dragged along", lambda v, n, e, w=STILL: respond(v, n, e) + w,
       "The whole velocity of the plane is added: without friction a plane that slides in itself drags nothing along.",
       "What does the plane's motion along itself do to the body?"),
-    M("moving_plane_response", "e for 1 + e", lambda v, w, n, e: v - col(e) * closing(v - w, n) * n,
-      "e stands in place of 1 + e: the body is slowed down and goes on into the plane.",
-      "How much has to be taken away to stop it? And how much more to send it back?"),
-    M("moving_plane_response", "always perfect", lambda v, w, n, e: v - 2 * closing(v - w, n) * n + 0 * col(e),
-      "Every bounce is perfect: the restitution makes no difference.",
-      "What takes the place of the slide's 2?"),
-    M("moving_plane_response", "relative velocity turned", lambda v, w, n, e: v - (1 + col(e)) * closing(w - v, n) * n,
+    M("kinematic_response", "relative velocity turned",
+      lambda v, n, e, w=STILL: v - (1 + col(e)) * closing(w - np.asarray(v), n) * n,
       "The relative velocity has the wrong order: with the normal out of the plane it is the body's less the plane's.",
       "Which sign has (v − w)·N of a body that comes nearer?"),
-    M("moving_plane_response", "plane stopped",
-      lambda v, w, n, e: v - dot(v - w, n) * n * (dot(v - w, n) < 0) - col(e) * closing(v, n) * n,
+    M("kinematic_response", "plane stopped",
+      lambda v, n, e, w=STILL: v - closing(np.asarray(v) - w, n) * n - col(e) * closing(v, n) * n,
       "The body's own velocity is scaled by e, not its velocity relative to the plane.",
       "What does e scale: a speed seen from the ground or from the plane?"),
-    M("moving_plane_response", "1 − e", lambda v, w, n, e: v - (1 - col(e)) * closing(v - w, n) * n,
-      "1 − e stands in place of 1 + e: with e = 1 nothing happens at all.",
-      "A perfect bounce turns the relative normal velocity round. Does yours?"),
-    M("moving_plane_response", "no rebound", lambda v, w, n, e: v - closing(v - w, n) * n + 0 * col(e),
-      "The body goes with the plane and is not sent back: the restitution makes no difference.",
-      "Which argument makes no difference to your answer?"),
-    M("moving_plane_response", "sign of the change", lambda v, w, n, e: v + (1 + col(e)) * closing(v - w, n) * n,
-      "The change is added where it has to be taken away: the body is driven into the plane.",
-      "(v − w)·N is negative here. Which way does that times N point?"),
-    M("moving_plane_response", "guard turned round",
-      lambda v, w, n, e: v - (1 + col(e)) * np.maximum(dot(v - w, n), 0) * n,
-      "The guard is the wrong way round: bodies that get away are answered.",
-      "Which sign has (v − w)·N of a body that comes nearer?"),
-    M("moving_plane_response", "whole velocity turned",
-      lambda v, w, n, e: np.where(dot(v - w, n) < 0, w - col(e) * (v - w), v),
-      "The whole relative velocity is turned round and scaled by e; only its normal component should be.",
-      "Which component does restitution speak of?"),
-    M("moving_plane_response", "unchanged",
-      lambda v, w, n, e: 1.0 * np.asarray(v) + 0 * np.asarray(w) + 0 * np.asarray(n) + 0 * col(e),
-      "The velocity comes back unchanged: nothing has been answered.",
-      "What should be different afterwards?"),
 
     M("respond_at_impact", "rest of the step lost", stops_there,
       "It stops at the impact: the rest of the step is not integrated. "
@@ -469,44 +445,5 @@ BANK = (
       lambda *given: at_step(*given, answer=split(lambda e: -e, lambda e: -e)),
       "The whole velocity is turned round; it should be its normal component.",
       "Which component does restitution speak of?"),
-
-    M("time_until_rest", "first impact alone", rests(lambda t, w, g, e, u: t),
-      "It is the time of the first impact; the bounces after it are not counted.",
-      "Does it lie still after the first impact?"),
-    M("time_until_rest", "flights alone", rests(lambda t, w, g, e, u: series(e, 0 * t, 2 * w / g)),
-      "The way down to the first impact is not counted.",
-      "When does the first bounce begin?"),
-    M("time_until_rest", "half the flights", rests(lambda t, w, g, e, u: series(e, t, w / g)),
-      "Of each bounce only one half is counted: it goes up and comes down.",
-      "How long is a ball in the air that leaves the floor with speed w?"),
-    M("time_until_rest", "one bounce", rests(lambda t, w, g, e, u: np.where(e < 1, t + 2 * w * e / g, np.inf)),
-      "One bounce is counted; there are infinitely many, each shorter by e.",
-      "What happens after the first bounce?"),
-    M("time_until_rest", "series from 1",
-      rests(lambda t, w, g, e, u: t + np.where(e < 1, 2 * w / g / np.where(e < 1, 1 - e, 1), np.inf)),
-      "The series starts with 1 instead of e: the first bounce leaves with e w, not with w.",
-      "With what speed does it leave the floor for the first time?"),
-    M("time_until_rest", "e squared", rests(lambda t, w, g, e, u: series(e**2, t, 2 * w / g)),
-      "e² is the ratio of the heights; times in the air go with the speed, so their ratio is e.",
-      "How does the time in the air depend on the speed?"),
-    M("time_until_rest", "1 + e below",
-      rests(lambda t, w, g, e, u: np.where(e < 1, t + 2 * w / g * e / (1 + e), np.inf)),
-      "The sum of e + e² + … has the wrong sign below the line.",
-      "What is 1/2 + 1/4 + 1/8 + …?"),
-    M("time_until_rest", "from rest",
-      rests(lambda t, w, g, e, u: np.where(e < 1, w / g * (1 + e) / np.where(e < 1, 1 - e, 1), np.inf)),
-      "t1(1 + e)/(1 − e) holds for a fall from rest. Thrown, the body takes another time to arrive than w/g.",
-      "Throw the ball down. How long does it take to arrive?"),
-    M("time_until_rest", "first impact for the fall",
-      rests(lambda t, w, g, e, u: np.where(e < 1, t * (1 + e) / np.where(e < 1, 1 - e, 1), np.inf)),
-      "t1(1 + e)/(1 − e) holds for a fall from rest only: otherwise the bounces do not last t1 each.",
-      "How long is a ball in the air that leaves the floor with speed e w?"),
-    M("time_until_rest", "speed of the start",
-      rests(lambda t, w, g, e, u: series(e, t, 2 * np.abs(u) / g)),
-      "The speed at the start is taken for the speed at the impact.",
-      "How fast is a ball when it arrives that was let fall from rest?"),
-    M("time_until_rest", "lying not at rest", rests(lambda t, w, g, e, u: series(e, t, 2 * w / g), lies=False),
-      "A body that lies on the plane already is not recognised: with e = 1 it comes out as bouncing for ever.",
-      "When is a body at rest that is at rest?"),
 )
 # fmt: on

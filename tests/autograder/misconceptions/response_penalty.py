@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.diagnosis.misconceptions import Misconception as M
-from labs.grading.diagnosis.misconceptions import col, over
+from labs.grading.diagnosis.misconceptions import col
 
 
 def pushing(push, clamp=True, inside=lambda s: np.asarray(s) < 0):
@@ -123,34 +123,6 @@ BANK = (
       lambda s, v, n, k, c=0.0, adhesive=False: pushing(right)(s, v, np.asarray(n) * np.abs(n), k, c, adhesive),
       "The normal comes in twice, component by component.",
       "How long is the force on a plane that leans, and how long on a floor?"),
-
-    M("penalty_rest_depth", "gravity left out", lambda m, g, k: m / k + 0 * np.asarray(g),
-      "The spring has to carry the weight, m g, not the mass.",
-      "What unit has m/k?"),
-    M("penalty_rest_depth", "mass left out", lambda m, g, k: g / k + 0 * np.asarray(m),
-      "The spring has to carry the weight: a heavier body lies deeper.",
-      "Which argument makes no difference to your answer?"),
-    M("penalty_rest_depth", "dropped on", lambda m, g, k: 2 * m * g / k,
-      "2 m g/k is how deep a body goes that is put on the spring and let go: the turning point, not where it rests.",
-      "Where do the spring's force and the weight cancel?"),
-    M("penalty_rest_depth", "half", lambda m, g, k: m * g / (2 * k),
-      "A half has come in, as from the spring's energy. It is the forces that balance.",
-      "How large is the spring's force at depth d?"),
-    M("penalty_rest_depth", "upside down", lambda m, g, k: over(k, np.asarray(m) * g),
-      "The ratio is upside down: a stiffer floor gives way less.",
-      "Double the stiffness. Should the depth grow or fall?"),
-    M("penalty_rest_depth", "separation", lambda m, g, k: -m * g / k,
-      "It is the separation, which is negative; a depth is positive.",
-      "Is it the depth or the separation that is asked for?"),
-    M("penalty_rest_depth", "weight times stiffness", lambda m, g, k: m * g * k,
-      "The weight is multiplied with the stiffness instead of divided by it.",
-      "What unit should come out?"),
-    M("penalty_rest_depth", "from the energies", lambda m, g, k: np.sqrt(2 * m * g / k),
-      "A root has come in from an energy: the body rests where the forces cancel.",
-      "How large is the spring's force at depth d?"),
-    M("penalty_rest_depth", "over the mass", lambda m, g, k: over(g, k * np.asarray(m)),
-      "The mass is below the line: a heavier body lies deeper, not less deep.",
-      "Double the mass. Should the depth grow or fall?"),
 
     M("penalty_step_limit", "damping left out", limit(lambda w, z, m, c: 2 / w + 0 * np.asarray(z)),
       "2/ω is the limit without damping. In a penalty contact the dashpot makes the step shorter.",

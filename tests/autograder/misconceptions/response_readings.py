@@ -6,8 +6,8 @@ from labs.grading.diagnosis.misconceptions import Misconception as M
 from labs.grading.diagnosis.misconceptions import col, dot, formulas_of
 
 RESPONSE = formulas_of("response")
-flight, respond, split, struck, at_step, within = (
-    getattr(RESPONSE, name) for name in ("flight", "respond", "split", "struck", "at_step", "within")
+STILL, seen, flight, respond, split, struck, at_step, within = (
+    getattr(RESPONSE, name) for name in ("STILL", "seen", "flight", "respond", "split", "struck", "at_step", "within")
 )
 bounced_back = split(lambda e: -1 + 0 * e, lambda e: -1 + 0 * e)
 
@@ -24,7 +24,7 @@ def turned_back(v, n, e):
 
 def where_it_gains(answer):
     """An answer where the plane gains on the body; everything else keeps its velocity."""
-    return lambda v, w, n, e: np.where(dot(np.asarray(v) - w, n) < 0, answer(v, w, col(e)), v)
+    return lambda v, n, e, w=STILL: np.where(dot(np.asarray(v) - w, n) < 0, answer(v, w, col(e)), v)
 
 
 def in_the_middle(p, v, a, n, e, T, dt):
@@ -40,31 +40,27 @@ def step_before_the_impact(p, v, a, n, e, T, dt):
 
 # fmt: off
 BANK = (
-    M("kinematic_response", "whole velocity turned, no guard", thrown_back,
+    M("kinematic_response", "whole velocity turned, no guard", seen(thrown_back),
       "The whole velocity is reversed and scaled by e, and nothing asks whether the body approaches. "
       "Slide 7 changes only the component along the normal.",
       "Draw a ball that hits the floor at a slant, and one that has just left it. Which component changes, and when?"),
-    M("kinematic_response", "sent back the way it came", bounced_back,
+    M("kinematic_response", "sent back the way it came", seen(bounced_back),
       "The whole velocity is reversed, and the restitution is not used. "
       "Slide 7 changes only the component along the normal.",
       "Draw a ball that hits the floor at a slant. Does it come back to your hand? And where does e come in?"),
-    M("kinematic_response", "sent back the way it came, no guard", turned_back,
+    M("kinematic_response", "sent back the way it came, no guard", seen(turned_back),
       "Every velocity is reversed as a whole: neither the normal nor the restitution is used. "
       "Slide 7 changes only the component along the normal, and only a body that approaches needs an answer.",
       "Which arguments does your answer not depend on?"),
-    M("moving_plane_response", "whole velocity turned, in the plane's frame",
+    M("kinematic_response", "whole velocity turned, in the plane's frame",
       where_it_gains(lambda v, w, e: -e * (np.asarray(v) - w)),
       "The whole relative velocity is reversed and scaled, and the result is left in the plane's frame. "
       "Slide 7 changes only the component along the normal.",
       "In whose frame is your answer? And which component does restitution speak of?"),
-    M("moving_plane_response", "body's velocity turned", where_it_gains(lambda v, w, e: -e * v + 0 * np.asarray(w)),
+    M("kinematic_response", "body's velocity turned", where_it_gains(lambda v, w, e: -e * v + 0 * np.asarray(w)),
       "The body's own velocity is reversed as a whole and scaled by e, as if the plane were at rest. "
       "Slide 7 changes only the component along the normal, and here that component is relative to the plane.",
       "A ball at rest is met by a racket. Where is it afterwards?"),
-    M("moving_plane_response", "whole velocity turned, no guard",
-      lambda v, w, n, e: w - col(e) * (np.asarray(v) - w) + 0 * np.asarray(n),
-      "The whole relative velocity is reversed and scaled by e, and nothing asks whether the plane gains on the body.",
-      "Which component does restitution speak of? And what should become of a body that gets away?"),
     M("respond_at_impact", "whole velocity turned, no guard", lambda *given: struck(*given, answer=thrown_back),
       "At the impact the whole velocity is reversed and scaled by e, whichever way it points. "
       "Slide 7 changes only the component along the normal.",

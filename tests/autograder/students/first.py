@@ -155,6 +155,17 @@ def overlap_interval_1(distance, normal_velocity, radius, thickness, dt):
     return (start, end) if start <= end else (np.inf, -np.inf)
 
 
+def off_a_moving_plane(response):
+    """The same as somebody sees it who sits on the plane."""
+
+    def seen(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+        plane_velocity = np.asarray(plane_velocity)
+        return np.asarray(response(velocity - plane_velocity, normal, restitution)) + plane_velocity
+
+    return seen
+
+
+@off_a_moving_plane
 def kinematic_response_1(velocity, normal, restitution):
     """The whole reflected velocity is scaled, as in many a game."""
     if np.dot(velocity, normal) >= 0:
@@ -163,6 +174,7 @@ def kinematic_response_1(velocity, normal, restitution):
     return restitution * reflected
 
 
+@off_a_moving_plane
 def kinematic_response_2(velocity, normal, restitution):
     """Split into two components, and both turned round."""
     vn = np.dot(velocity, normal) * normal
@@ -170,6 +182,7 @@ def kinematic_response_2(velocity, normal, restitution):
     return -vt - restitution * vn
 
 
+@off_a_moving_plane
 def kinematic_response_3(velocity, normal, restitution):
     """Split into two components, without asking whether it approaches."""
     vn = np.dot(velocity, normal) * normal
@@ -177,6 +190,7 @@ def kinematic_response_3(velocity, normal, restitution):
     return vt - restitution * vn
 
 
+@off_a_moving_plane
 def kinematic_response_4(velocity, normal, restitution):
     """The y component, as on a screen."""
     v = velocity.copy()
@@ -185,6 +199,7 @@ def kinematic_response_4(velocity, normal, restitution):
     return v
 
 
+@off_a_moving_plane
 def kinematic_response_5(velocity, normal, restitution):
     """Kept as a share of the energy."""
     vn = np.dot(velocity, normal)
@@ -193,7 +208,7 @@ def kinematic_response_5(velocity, normal, restitution):
     return velocity - (1 + math.sqrt(restitution)) * vn * normal
 
 
-def moving_plane_response_1(velocity, plane_velocity, normal, restitution):
+def kinematic_response_11(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
     """In the plane's frame, and not back again."""
     rel = velocity - plane_velocity
     vn = np.dot(rel, normal)
@@ -202,7 +217,7 @@ def moving_plane_response_1(velocity, plane_velocity, normal, restitution):
     return rel
 
 
-def moving_plane_response_2(velocity, plane_velocity, normal, restitution):
+def kinematic_response_12(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
     """Bounces, then gets the plane's normal velocity once."""
     v = velocity.copy()
     vn = np.dot(v - plane_velocity, normal)
@@ -256,23 +271,9 @@ def penalty_force_2(separation, normal_velocity, normal, stiffness, damping=0.0,
     return f * normal
 
 
-def penalty_rest_depth_1(mass, gravity, stiffness):
-    """Where the energies balance."""
-    return 2 * mass * gravity / stiffness
-
-
 def penalty_step_limit_1(mass, stiffness, damping=0.0):
     """The undamped one."""
     return 2 * np.sqrt(mass / stiffness)
-
-
-def time_until_rest_1(separation, normal_velocity, normal_acceleration, restitution):
-    """As if let fall from rest: t1 (1 + e)/(1 − e)."""
-    g, e = -normal_acceleration, restitution
-    if e == 1:
-        return np.inf
-    t1 = np.sqrt(2 * separation / g)
-    return t1 * (1 + e) / (1 - e)
 
 
 def friction_force_1(push, tangent_velocity, normal_force, static_friction, kinetic_friction):

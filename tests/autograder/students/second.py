@@ -73,6 +73,17 @@ def overlap_interval_2(distance, normal_velocity, radius, thickness, dt):
     return (hits[0], hits[-1]) if hits else (np.inf, -np.inf)
 
 
+def off_a_moving_plane(response):
+    """The same as somebody sees it who sits on the plane."""
+
+    def seen(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+        plane_velocity = np.asarray(plane_velocity)
+        return np.asarray(response(velocity - plane_velocity, normal, restitution)) + plane_velocity
+
+    return seen
+
+
+@off_a_moving_plane
 def kinematic_response_6(velocity, normal, restitution):
     """2 e in place of 1 + e."""
     d = float(np.dot(velocity, normal))
@@ -81,6 +92,7 @@ def kinematic_response_6(velocity, normal, restitution):
     return np.array([velocity[i] - 2 * restitution * d * normal[i] for i in range(3)])
 
 
+@off_a_moving_plane
 def kinematic_response_7(velocity, normal, restitution):
     """The tangential part gets lost."""
     d = np.dot(velocity, normal)
@@ -89,6 +101,7 @@ def kinematic_response_7(velocity, normal, restitution):
     return velocity
 
 
+@off_a_moving_plane
 def kinematic_response_8(velocity, normal, restitution):
     """The restitution as a loss in per cent, taken off the mirrored normal part."""
     d = np.dot(velocity, normal)
@@ -97,7 +110,7 @@ def kinematic_response_8(velocity, normal, restitution):
     return velocity
 
 
-def moving_plane_response_3(velocity, plane_velocity, normal, restitution):
+def kinematic_response_13(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
     """Asks whether the ball itself moves in."""
     if np.dot(velocity, normal) >= 0:
         return velocity
@@ -131,15 +144,6 @@ def penalty_step_limit_2(mass, stiffness, damping=0.0):
     w = math.sqrt(stiffness / mass)
     z = damping / (2 * math.sqrt(stiffness * mass))
     return 2 / (w * math.sqrt(abs(1 - z * z))) if z != 1 else math.inf
-
-
-def time_until_rest_2(separation, normal_velocity, normal_acceleration, restitution):
-    """Every flight counted on its way up alone."""
-    g, e = -normal_acceleration, restitution
-    if g <= 0 or e == 1:
-        return math.inf
-    w = math.sqrt(normal_velocity**2 + 2 * g * max(separation, 0))
-    return (normal_velocity + w) / g + w / g * e / (1 - e)
 
 
 def friction_force_4(push, tangent_velocity, normal_force, static_friction, kinetic_friction):

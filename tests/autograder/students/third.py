@@ -220,11 +220,23 @@ def time_of_impact_interpolated_6(separation_0, separation_1, t, dt):
     return math.inf
 
 
+def off_a_moving_plane(response):
+    """The same as somebody sees it who sits on the plane."""
+
+    def seen(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+        plane_velocity = np.asarray(plane_velocity)
+        return np.asarray(response(velocity - plane_velocity, normal, restitution)) + plane_velocity
+
+    return seen
+
+
+@off_a_moving_plane
 def kinematic_response_9(velocity, normal, restitution):
     """The velocity is reversed, all of it, whichever way it goes."""
     return [-restitution * c for c in velocity]
 
 
+@off_a_moving_plane
 def kinematic_response_10(velocity, normal, restitution):
     """It bounces back with the speed that it had."""
     if inner(velocity, normal) >= 0:
@@ -232,7 +244,7 @@ def kinematic_response_10(velocity, normal, restitution):
     return [-c for c in velocity]
 
 
-def moving_plane_response_4(velocity, plane_velocity, normal, restitution):
+def kinematic_response_14(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
     """The relative velocity is reversed and scaled, and stays relative."""
     u = [velocity[i] - plane_velocity[i] for i in range(3)]
     if inner(u, normal) >= 0:

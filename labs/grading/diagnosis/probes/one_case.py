@@ -9,6 +9,7 @@ import numpy as np
 
 from labs.grading.calling.cases import OneCase
 from labs.grading.diagnosis.fingerprints.reading import known
+from labs.grading.diagnosis.output_names import axes_before
 from labs.grading.diagnosis.probes import probes
 from reference.errors import UnknownName
 
@@ -23,7 +24,7 @@ def one_case(function: str) -> OneCase | None:
     single = [probe.arguments for probe in cases if probe.group in ("usual", "edge")]
     longest = max(map(len, single))
     axes = tuple(_most([given[place] for given in single if place < len(given)]) for place in range(longest))
-    return OneCase(axes, next(len(right.outputs) for right in answers if right))
+    return OneCase(axes, next(len(right.outputs) for right in answers if right), axes_before(function))
 
 
 def _most(values: list[Any]) -> Any:

@@ -26,34 +26,23 @@ def _kinematic() -> list[Probe]:
         usual("no bounce", [1, 0, -2], UP, 0.0),
         usual("perfect bounce", [1, 0, -2], UP, 1.0),
         usual("against a wall", [1, -2, 3], WALL, 0.8),
+        usual("a racket comes to meet the ball", [0, 0, -2], UP, 0.5, [0, 0, 3]),
+        usual("the plane draws back, more slowly", [1, 0, -4], UP, 0.5, [0, 0, -1]),
+        usual("the plane draws back faster than the ball follows", [1, 0, -1], UP, 0.5, [0, 0, -4]),
+        usual("the plane catches up with a ball that moves away", [1, 0, 1], UP, 0.5, [0, 0, 3]),
+        usual("the plane slides within itself", [1, 0, -2], UP, 0.5, [5, 3, 0]),
+        usual("the ball gets away from a plane that follows", [0, 1, 3], UP, 0.8, [0, 0, 1]),
+        usual("no bounce: the ball goes with the plane", [1, 0, -2], UP, 0.0, [2, 0, 1]),
         edge("along the plane", [2, 1, 0], UP, 0.5),
         edge("at rest", REST, UP, 0.5),
         edge("perfect bounce, straight on", [0, 0, -3], UP, 1.0),
+        edge("ball and plane at the same speed", [1, 0, -2], UP, 0.5, [0, 1, -2]),
+        edge("perfect bounce off a racket", [0, 0, -2], UP, 1.0, [0, 0, 2]),
         refused("a normal that is not of unit length", [0, 0, -2], [0, 0, 2], 0.5),
         refused("a restitution above 1", [0, 0, -2], UP, 1.5),
     ]
-    return made(
-        "kinematic_response", by_hand, lambda draw: (draw.vector(), draw.unit(), draw.number(0.1, 0.9)), single=()
-    )
-
-
-def _moving_plane() -> list[Probe]:
-    by_hand = [
-        usual("a plane at rest", [1, 0, -2], REST, UP, 0.5),
-        usual("a racket comes to meet the ball", [0, 0, -2], [0, 0, 3], UP, 0.5),
-        usual("the plane draws back, more slowly", [1, 0, -4], [0, 0, -1], UP, 0.5),
-        usual("the plane draws back faster than the ball follows", [1, 0, -1], [0, 0, -4], UP, 0.5),
-        usual("the plane catches up with a ball that moves away", [1, 0, 1], [0, 0, 3], UP, 0.5),
-        usual("the plane slides in itself", [1, 0, -2], [5, 3, 0], UP, 0.5),
-        usual("the ball gets away", [0, 1, 3], [0, 0, 1], UP, 0.8),
-        usual("no bounce: the ball goes with the plane", [1, 0, -2], [2, 0, 1], UP, 0.0),
-        edge("both at the same speed", [1, 0, -2], [0, 1, -2], UP, 0.5),
-        edge("both at rest", REST, REST, UP, 0.5),
-        edge("perfect bounce", [0, 0, -2], [0, 0, 2], UP, 1.0),
-        refused("a normal that is not of unit length", [0, 0, -2], REST, [0, 0, 2], 0.5),
-    ]
-    maker = lambda draw: (draw.vector(), draw.vector(3), draw.unit(), draw.number(0.1, 0.9))  # noqa: E731
-    return made("moving_plane_response", by_hand, maker)
+    maker = lambda draw: (draw.vector(), draw.unit(), draw.number(0.1, 0.9), draw.vector(3))  # noqa: E731
+    return made("kinematic_response", by_hand, maker)
 
 
 def _at_impact() -> list[Probe]:
@@ -109,35 +98,40 @@ def _at_step() -> list[Probe]:
     return made("respond_at_step", by_hand, maker)
 
 
-def _until_rest() -> list[Probe]:
+def _bounce() -> list[Probe]:
+    above = [0, 0, 1]
     by_hand = [
-        usual("let fall from rest", 2.0, 0.0, -10.0, 0.5),
-        usual("thrown down", 2.0, -3.0, -10.0, 0.5),
-        usual("thrown up", 2.0, 3.0, -10.0, 0.5),
-        usual("from the plane up", 0.0, 3.0, -10.0, 0.5),
-        edge("no bounce", 2.0, -3.0, -10.0, 0.0),
-        usual("hardly a loss", 1.0, 0.0, -9.81, 0.95),
-        edge("a bounce without gravity", 3.0, -1.5, 0.0, 0.5),
-        edge("no bounce, without gravity", 3.0, -1.5, 0.0, 0.0),
-        edge("pulled away", 3.0, -1.0, 2.0, 0.5),
-        edge("it arrives and is pulled off again", 1.0, -4.0, 2.0, 0.5),
-        edge("it arrives for good, and is pulled off again", 1.0, -4.0, 2.0, 0.0),
-        edge("pulled off the plane", 0.0, 0.0, 2.0, 0.5),
-        edge("behind the plane, moving out", -0.5, 2.0, -10.0, 0.5),
-        edge("it bounces for ever", 2.0, 0.0, -10.0, 1.0),
-        edge("it lies on the plane", 0.0, 0.0, -10.0, 0.5),
-        edge("it lies on the plane, without gravity", 0.0, 0.0, 0.0, 0.5),
-        edge("it lies on the plane, e = 1", 0.0, 0.0, -10.0, 1.0),
-        edge("behind the plane, at rest", -0.5, 0.0, -10.0, 0.5),
-        edge("moving in on the plane", 0.0, -2.0, -10.0, 0.5),
-        edge("at rest above the plane, without gravity", 1.0, 0.0, 0.0, 0.5),
-        refused("a restitution above 1", 1.0, 0.0, -10.0, 1.5),
+        usual("a fall, a bounce, and some flight", above, [1, 0, -2], FALL, UP, 0.0, 0.5, 0.25, 4),
+        usual("two bounces", [0, 1, 0.25], [2, 0, -3], [0, 0, -8], UP, 0.0, 0.5, 0.25, 8),
+        usual("a floor two metres up", [0, 0, 2.5], [1, 0, -2], FALL, UP, -2.0, 0.5, 0.25, 4),
+        usual("a plane that leans", [1, 1, 1], [0, 0, -5], FALL, LEANS, 0.5, 0.8, 0.25, 4),
+        usual("without gravity", above, [1, 0, -3], REST, UP, 0.0, 0.5, 0.25, 4),
+        usual("it does not arrive", [0, 0, 9], [1, 0, -2], FALL, UP, 0.0, 0.5, 0.25, 3),
+        usual("behind the plane at the start, on its way in", [0, 0, -0.5], [1, 0, -2], FALL, UP, 0.0, 0.5, 0.25, 3),
+        usual("behind the plane at the start, on its way out", [0, 0, -0.5], [1, 0, 4], FALL, UP, 0.0, 0.5, 0.25, 3),
+        usual("no bounce", above, [1, 0, -4], FALL, UP, 0.0, 0.0, 0.25, 4),
+        usual("pulled along the plane", above, [1, 0, -4], [2, -1, -8], UP, 0.0, 0.5, 0.25, 4),
+        usual("pulled off the plane", above, [1, 0, -8], [0, 0, 4], UP, 0.0, 0.5, 0.25, 4),
+        edge("perfect bounce", above, [1, 0, -4], FALL, UP, 0.0, 1.0, 0.25, 4),
+        edge("a step ends on the plane", [0, 0, 2], [1, 0, -1], REST, UP, -2.0, 0.5, 0.5, 3),
+        edge("a later step ends on the plane", [0, 0, 3], [1, 0, -1], REST, UP, -2.0, 0.5, 0.5, 4),
+        edge("at rest on the plane", REST, REST, [0, 0, -8], UP, 0.0, 0.5, 0.25, 4),
+        edge("no steps", above, [1, 0, -2], FALL, UP, 0.0, 0.5, 0.25, 0),
+        edge("one step", above, [1, 0, -2], FALL, UP, 0.0, 0.5, 0.25, 1),
+        edge("steps of no length", [0, 0, -1], [1, 0, -2], FALL, UP, 0.0, 0.5, 0.0, 2),
+        refused("a negative number of steps", above, [1, 0, -2], FALL, UP, 0.0, 0.5, 0.25, -1),
+        refused("steps of negative length", above, [1, 0, -2], FALL, UP, 0.0, 0.5, -0.25, 2),
+        refused("a restitution above 1", above, [1, 0, -2], FALL, UP, 0.0, 1.5, 0.25, 2),
     ]
 
-    def maker(draw: Draw) -> tuple[float, ...]:
-        return draw.number(0.2, 3), draw.number(-4, 4), -draw.number(1, 12), draw.number(0.1, 0.95)
+    def maker(draw: Draw) -> tuple[Any, ...]:
+        normal, offset = draw.unit(), draw.number(-2, 2)
+        position = draw.tangent(normal, 3) + (draw.number(0.1, 1) - offset) * normal
+        velocity = draw.tangent(normal, 3) - draw.number(3, 6) * normal
+        pull = draw.vector(2) - draw.number(4, 9) * normal
+        return position, velocity, pull, normal, offset, draw.number(0.1, 0.9), draw.number(0.1, 0.3), 6
 
-    return made("time_until_rest", by_hand, maker)
+    return made("bounce", by_hand, maker, single=(7,))
 
 
 def _penalty_force() -> list[Probe]:
@@ -167,19 +161,6 @@ def _penalty_force() -> list[Probe]:
     return made("penalty_force", by_hand, maker, single=(5,))
 
 
-def _rest_depth() -> list[Probe]:
-    by_hand = [
-        usual("a kilogram", 1.0, 9.81, 1000.0),
-        usual("a soft floor", 2.0, 9.81, 50.0),
-        usual("on the moon", 3.0, 1.62, 400.0),
-        edge("no gravity", 2.0, 0.0, 500.0),
-        edge("no mass", 0.0, 9.81, 500.0),
-        refused("no stiffness", 1.0, 9.81, 0.0),
-    ]
-    maker = lambda draw: (draw.number(0.2, 5), draw.number(1, 12), draw.number(50, 900, 0))  # noqa: E731
-    return made("penalty_rest_depth", by_hand, maker)
-
-
 def _step_limit() -> list[Probe]:
     by_hand = [
         usual("no damping", 1.0, 100.0, 0.0),
@@ -196,13 +177,36 @@ def _step_limit() -> list[Probe]:
     return made("penalty_step_limit", by_hand, maker)
 
 
+def _design() -> list[Probe]:
+    by_hand = [
+        usual("perfect bounce", 2.0, 3.0, 0.5, 1.0, 10.0),
+        usual("half of the speed", 2.0, 3.0, 0.5, 0.5, 10.0),
+        usual("a ball of 50 g at 4.4 m/s, a millimetre deep", 0.05, 4.4, 1e-3, 0.7, 30.0),
+        usual("heavy and slow", 50.0, 0.25, 0.02, 0.3, 20.0),
+        edge("hardly any bounce", 1.0, 2.0, 0.1, 0.01, 10.0),
+        edge("half a step per contact", 1.0, 2.0, 0.1, 0.5, 0.5),
+        refused("no mass", 0.0, 3.0, 0.5, 0.5, 10.0),
+        refused("no depth", 2.0, 3.0, 0.0, 0.5, 10.0),
+        refused("no bounce at all", 2.0, 3.0, 0.5, 0.0, 10.0),
+        refused("a restitution above 1", 2.0, 3.0, 0.5, 1.5, 10.0),
+        refused("no steps", 2.0, 3.0, 0.5, 0.5, 0.0),
+    ]
+
+    def maker(draw: Draw) -> tuple[float, ...]:
+        return (
+            draw.number(0.2, 5), draw.number(0.5, 6), draw.number(0.05, 0.5), draw.number(0.1, 0.95),
+            draw.number(3, 40, 1),
+        )  # fmt: skip
+
+    return made("design_contact", by_hand, maker)
+
+
 _TABLE = {
     "kinematic_response": _kinematic,
-    "moving_plane_response": _moving_plane,
-    "respond_at_impact": _at_impact,
     "respond_at_step": _at_step,
-    "time_until_rest": _until_rest,
+    "bounce": _bounce,
+    "respond_at_impact": _at_impact,
     "penalty_force": _penalty_force,
-    "penalty_rest_depth": _rest_depth,
     "penalty_step_limit": _step_limit,
+    "design_contact": _design,
 }

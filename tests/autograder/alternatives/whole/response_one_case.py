@@ -5,15 +5,11 @@ import math
 import numpy as np
 
 
-def kinematic_response(velocity, normal, restitution):
-    speed = float(np.dot(velocity, normal))
+def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+    speed = float(np.dot(velocity - np.asarray(plane_velocity), normal))
     if speed >= 0:
         return velocity
     return velocity - (1 + restitution) * speed * normal
-
-
-def moving_plane_response(velocity, plane_velocity, normal, restitution):
-    return kinematic_response(velocity - plane_velocity, normal, restitution) + plane_velocity
 
 
 def _flown(position, velocity, acceleration, time):
@@ -28,25 +24,20 @@ def respond_at_step(position, velocity, acceleration, normal, behind, restitutio
     return position + dt * velocity, velocity
 
 
+def bounce(position, velocity, acceleration, normal, offset, restitution, dt, steps):
+    rows = [(position, velocity)]
+    while len(rows) <= steps:
+        position, velocity = rows[-1]
+        behind = position @ normal + offset < 0
+        rows.append(respond_at_step(position, velocity, acceleration, normal, behind, restitution, dt))
+    return [row[0] for row in rows], [row[1] for row in rows]
+
+
 def respond_at_impact(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
     if time_of_impact > dt:
         return _flown(position, velocity, acceleration, dt)
     position, velocity = _flown(position, velocity, acceleration, time_of_impact)
     return _flown(position, kinematic_response(velocity, normal, restitution), acceleration, dt - time_of_impact)
-
-
-def time_until_rest(separation, normal_velocity, normal_acceleration, restitution):
-    s, u, a, e = max(separation, 0.0), normal_velocity, normal_acceleration, restitution
-    if s == 0 and u == 0 and a <= 0:
-        return 0.0
-    if a > 0:
-        return math.inf
-    if a == 0:
-        return s / -u if u < 0 and e == 0 else math.inf
-    arrives = math.sqrt(u * u - 2 * a * s)
-    if e == 1:
-        return math.inf
-    return (arrives + u) / -a + 2 * e * arrives / (-a * (1 - e))
 
 
 def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, adhesive=False):
@@ -58,11 +49,28 @@ def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, a
     return size * normal
 
 
-def penalty_rest_depth(mass, gravity, stiffness):
-    return mass * gravity / stiffness
-
-
 def penalty_step_limit(mass, stiffness, damping=0.0):
     w = math.sqrt(stiffness / mass)
     z = damping / (2 * math.sqrt(stiffness * mass))
     return 2 / w * (math.sqrt(1 + z * z) - z)
+
+
+def _kept(zeta):
+    if zeta == 1:
+        return math.exp(-2)
+    if zeta > 1:
+        return math.exp(-2 * zeta * math.acosh(zeta) / math.sqrt(zeta**2 - 1))
+    return math.exp(-2 * zeta * math.acos(zeta) / math.sqrt(1 - zeta**2))
+
+
+def design_contact(mass, speed, depth, restitution, steps_per_contact):
+    k = 2 * (mass * speed**2 / 2) / depth**2
+    low, high = 0.0, 1e3
+    while high - low > 1e-12 * high:
+        middle = (low + high) / 2
+        if _kept(middle) > restitution:
+            low = middle
+        else:
+            high = middle
+    zeta = 0.0 if restitution == 1 else high
+    return k, 2 * zeta * math.sqrt(k * mass), math.pi / math.sqrt(k / mass) / steps_per_contact

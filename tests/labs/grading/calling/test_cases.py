@@ -56,6 +56,16 @@ def test_arguments_of_any_leading_axes_become_rows_of_one_length():
     np.testing.assert_array_equal(found, numbers[..., None] * vectors)
 
 
+def test_the_steps_of_a_run_come_before_its_cases():
+    def run(number, vector):
+        return np.multiply.outer(np.arange(4.0), (np.asarray(number) * np.asarray(vector).T).T)
+
+    numbers, vectors = np.array([[1.0], [2.0]]), np.arange(15.0).reshape(5, 3)
+    case, right = OneCase((0, 1), before=1), np.multiply.outer(np.arange(4.0), numbers[..., None] * vectors)
+    np.testing.assert_array_equal(case.one_by_one(run, (numbers, vectors)), right)
+    np.testing.assert_array_equal(case.in_rows(run, (numbers, vectors)), right)
+
+
 @pytest.mark.parametrize("answer", [None, [1.0], "two"])
 def test_answers_that_do_not_fit_together_are_refused(answer):
     with pytest.raises(ValueError, match="not 2 things"):

@@ -28,9 +28,9 @@ ONE_CASE_ALONE = {"count_impacts", "face_planes", "polyhedra_intersect"}
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
 
 
-def bounce(v, n, e):
+def bounce(v, n, e, w=(0.0, 0.0, 0.0)):
     """Right for one contact or many, without checks of its input."""
-    return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum(v * n, axis=-1), 0)[..., None] * n
+    return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum((v - np.asarray(w)) * n, axis=-1), 0)[..., None] * n
 
 
 # The bank and its fingerprints

@@ -39,9 +39,9 @@ def of(function):
     return lambda _, *arguments: function(*arguments)
 
 
-def bounce(v, n, e):
+def bounce(v, n, e, w=(0.0, 0.0, 0.0)):
     """Right for one contact or many, without checks of its input."""
-    return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum(v * n, axis=-1), 0)[..., None] * n
+    return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum((v - np.asarray(w)) * n, axis=-1), 0)[..., None] * n
 
 
 def not_turned_round(a, b, n, e):
@@ -70,7 +70,7 @@ def colliding_as_printed(a, b, n, e, threshold=0.0):
 @pytest.mark.parametrize(
     ("function", "printed", "name"),
     [
-        ("kinematic_response", lambda v, n, e: as_printed.mirror_response(v, n), "the slide's mirror"),
+        ("kinematic_response", lambda v, n, e, w=0: as_printed.mirror_response(v, n), "the slide's mirror"),
         (
             "time_of_impact_interpolated",
             lambda s0, s1, t, dt: as_printed.time_of_impact(t, dt, s0, s1),
@@ -112,7 +112,7 @@ def test_a_right_answer_with_input_checks_hears_nothing_else():
 
 
 def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
-    found = diagnose("kinematic_response", of(lambda v, n, e: bounce(v, n, 1 + 0 * np.asarray(e))))
+    found = diagnose("kinematic_response", of(lambda v, n, e, *w: bounce(v, n, 1 + 0 * np.asarray(e), *w)))
     text = told(found)
     assert found.mistakes[0].id == "kinematic_response/always perfect"
     assert "Every bounce is perfect" in text
@@ -123,10 +123,9 @@ def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
 
 
 def test_a_mistake_is_named_if_the_function_takes_one_contact_only():
-    def single(velocity, normal, restitution):
-        if velocity @ normal < 0:
-            velocity = velocity - restitution * (velocity @ normal) * normal
-        return velocity
+    def single(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+        approach = (velocity - plane_velocity) @ normal
+        return velocity - restitution * approach * normal if approach < 0 else velocity
 
     found = diagnose("kinematic_response", of(single))
     assert found.mistakes[0].id == "kinematic_response/e for 1 + e"
@@ -140,8 +139,8 @@ def test_a_function_that_is_right_for_one_contact_only_hears_so():
 
 
 def test_writing_into_arguments_is_noticed_if_the_numbers_are_right():
-    def in_place(velocity, normal, restitution):
-        after = bounce(velocity, normal, restitution)
+    def in_place(velocity, *others):
+        after = bounce(velocity, *others)
         velocity *= 2
         return after
 

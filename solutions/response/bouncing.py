@@ -1,0 +1,71 @@
+"""A ball bounces over a plane: a loop that looks at each step (slide 6)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array
+from solutions.checks import finite, not_negative, vector, whole
+from solutions.detection import side_of_plane, signed_distance
+from solutions.response.steps import respond_at_step
+
+
+def bounce(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    normal: ArrayLike,
+    offset: ArrayLike,
+    restitution: ArrayLike,
+    dt: ArrayLike,
+    steps: int,
+) -> tuple[Array, Array]:
+    """Where a ball is, and how fast, after each step over a plane (slide 6).
+
+    At the start of each step the loop looks whether the centre of the ball is
+    behind the plane n·p + d = 0, as `side_of_plane` has it. The step is then
+    that of `respond_at_step`. Touching the plane is not behind it.
+
+    Parameters
+    ----------
+    position, velocity, acceleration : (..., 3), m, m/s, m/s²
+        At the start. The acceleration stays as it is.
+    normal : (..., 3), unit, out of the plane
+    offset : (...), d, m
+        Of the plane that the centre must not pass. It lies one radius before
+        the one that the ball touches.
+    restitution : (...), e, 0 to 1
+    dt : (...), s, length of each step
+    steps : int, how many, 0 or more, the same for all balls of a call
+
+    Returns
+    -------
+    positions, velocities : (steps + 1, ..., 3) each, m and m/s
+        The first of each is the start, the last that after all steps.
+
+    Raises
+    ------
+    ValueError
+        If steps is negative or not a whole number, or as signed_distance and
+        respond_at_step.
+
+    Notes
+    -----
+    Three things are done in each step, in this order: look, respond, move. A
+    loop that moves first and looks afterwards costs as much, and its apex is
+    lower (see the notes of `respond_at_step`).
+    """
+    count = int(finite("steps", not_negative("steps", whole("steps", steps))))
+    a, n = vector("acceleration", acceleration), vector("normal", normal)
+    p, v = vector("position", position), vector("velocity", velocity)
+    numbers = (offset, restitution, dt)
+    columns = [np.asarray(number)[..., None] for number in numbers]
+    p, v, *_ = np.broadcast_arrays(p, v, a, n, *columns)
+    positions, velocities = [p], [v]
+    for _ in range(count):
+        behind = side_of_plane(signed_distance(p, n, offset)) < 0
+        p, v = respond_at_step(p, v, a, n, behind, restitution, dt)
+        positions.append(p)
+        velocities.append(v)
+    return np.stack(positions), np.stack(velocities)
