@@ -299,11 +299,6 @@ BANK = (
       "The plane's velocity is added to the bounce off a plane at rest. It should come in 1 + e times, "
       "through the relative velocity.",
       "Perfect bounce: a ball at rest is met by a racket at speed w. How fast is it afterwards, seen from the racket?"),
-    M("kinematic_response", "plane's velocity once, where they meet",
-      lambda v, n, e, w=STILL: np.where(dot(np.asarray(v) - w, n) < 0, unguarded(v, n, e) + dot(w, n) * n, v),
-      "Where they meet, the plane's velocity is added once to the bounce off a plane at rest. "
-      "It should come in 1 + e times, through the relative velocity.",
-      "Perfect bounce: a ball at rest is met by a racket at speed w. How fast is it afterwards, seen from the racket?"),
     M("kinematic_response", "dragged along", lambda v, n, e, w=STILL: respond(v, n, e) + w,
       "The whole velocity of the plane is added: without friction a plane that slides in itself drags nothing along.",
       "What does the plane's motion along itself do to the body?"),

@@ -115,12 +115,18 @@ def test_each_step_looks_responds_and_moves(submission, part):
                 [[1, 0, -1], [1, 0, -1], [1, 0, -1], [1, 0, 0.5]],
             ),
         )  # fmt: skip
-    with part(1, "behind the plane at the start, on its way in or out; and no steps"):
-        expect(submission.bounce, ([0, 0, -1], [1, 0, -4], FALL, UP, 0.0, 0.5, 0.5, 1),
-               ([[0, 0, -1], [0.5, 0, 0]], [[1, 0, -4], [1, 0, 2]]))  # fmt: skip
-        expect(submission.bounce, ([0, 0, -1], [1, 0, 4], FALL, UP, 0.0, 0.5, 0.5, 1),
-               ([[0, 0, -1], [0.5, 0, -1]], [[1, 0, 4], [1, 0, 0]]))  # fmt: skip
-        expect(submission.bounce, ([0, 0, -1], [1, 0, -4], FALL, UP, 0.0, 0.5, 0.5, 0), ([[0, 0, -1]], [[1, 0, -4]]))
+    with part(1, "behind the plane at the start: on its way in, on its way out, along it, pulled off it; and no steps"):
+        for position, velocity, acceleration, normal, offset, place, after in (
+            ([0, 0, -1], [1, 0, -4], FALL, UP, 0.0, [0.5, 0, 0], [1, 0, 2]),
+            ([0, 0, -1], [1, 0, 4], FALL, UP, 0.0, [0.5, 0, -1], [1, 0, 0]),
+            ([0, 0, -1], [2, 4, 0], FALL, UP, 0.0, [1, 2, -3], [2, 4, -4]),
+            ([0, 0, -1], [0, 0, -4], [0, 0, 2], UP, 0.0, [0, 0, 0.5], [0, 0, 3]),
+            (REST, [-9, -3, 0], PRESSED, SLANTED, -1.0, [-4.25, -2.5, 0], [-8.5, -5, 0]),
+            (REST, [0, 3, -2], PRESSED, SLANTED, -1.0, [0.25, 0.5, -1], [0.5, 1, -2]),
+        ):
+            given = (position, velocity, acceleration, normal, offset, 0.5, 0.5)
+            expect(submission.bounce, (*given, 1), ([position, place], [velocity, after]))
+            expect(submission.bounce, (*given, 0), ([position], [velocity]))
     with part(1, "several balls in one call: one in front of the plane and two behind it"):
         expect(
             submission.bounce,

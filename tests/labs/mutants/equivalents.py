@@ -22,6 +22,12 @@ NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how t
 UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones."
 LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
 NOT_NEGATIVE = "What the size is taken of is never negative."
+PLANE_AT_REST = "It has no plane that moves."
+OF_A_PLANE_AT_REST = (
+    "in kinematic_response: term dropped: v - w → v",
+    "in kinematic_response: sign flipped: v - w → v + w",
+    "in kinematic_response: size for it: v - w → v - np.abs(w)",
+)
 
 ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
 
@@ -56,24 +62,21 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         FIRST_OF_BOTH: ("boundary: way > caught → way >= caught",),
         NOT_NEGATIVE: ("size for it: …",),
     },
-    "kinematic_response": {NOT_NEGATIVE: ("size for it: 1 + restitution → 1 + np.abs(restitution)",)},
-    "moving_plane_response": {NOT_NEGATIVE: ("size for it: 1 + e → 1 + np.abs(e)",)},
-    "respond_at_impact": {NOT_NEGATIVE: ("size for it: dt - before → …",)},
-    "time_until_rest": {NOT_NEGATIVE: ("size for it: …",)},
-    "_arrival_speed": {
-        NOT_NEGATIVE: ("size for it: …",),
-        "Only an acceleration away from the plane leaves no root, and then the time is infinite.": (
-            "branch dropped: np.where(speed >= 0, speed, 0.0) → shaped(speed, speed >= 0)",
-            "condition dropped: speed >= 0 → always(speed >= 0)",
+    "kinematic_response": {NOT_NEGATIVE: ("size for it: 1 + e → 1 + np.abs(e)",)},
+    "respond_at_step": {PLANE_AT_REST: OF_A_PLANE_AT_REST},
+    "bounce": {
+        PLANE_AT_REST: OF_A_PLANE_AT_REST,
+        "Only the shape of what is broadcast together counts.": (
+            "results swapped: (offset, restitution, dt) → (restitution, offset, dt)",
+            "results swapped: (offset, restitution, dt) → (offset, dt, restitution)",
         ),
-        "At zero both give zero.": ("boundary: speed >= 0 → speed > 0",),
     },
+    "respond_at_impact": {PLANE_AT_REST: OF_A_PLANE_AT_REST, NOT_NEGATIVE: ("size for it: dt - before → …",)},
     "penalty_force": {
         "Only a body behind the plane is pushed, and then the depth is positive.": (
             "size for it: k * depth - c * normal_velocity → np.abs(k * depth) - c * normal_velocity",
         ),
     },
-    "penalty_rest_depth": {NOT_NEGATIVE: ("size for it: …",)},
     "penalty_step_limit": {NOT_NEGATIVE: ("size for it: …",)},
     "frequency_and_ratio": {NOT_NEGATIVE: ("size for it: …",)},
     "mass_and_stiffness": {NOT_NEGATIVE: ("size for it: …",)},
