@@ -99,8 +99,9 @@ def penalty_step_limit(mass, stiffness, damping=0.0):
 
 def design_contact(mass, speed, depth, restitution, steps_per_contact):
     """From the frequency; and ζ by halving an interval, from the logarithm of e."""
-    mass, speed, depth, steps = (np.asarray(each) for each in (mass, speed, depth, steps_per_contact))
-    loss, omega = -np.log(restitution), speed / depth
+    loss = -np.log(restitution)
+    mass, speed, depth, loss, steps = np.broadcast_arrays(mass, speed, depth, loss, steps_per_contact)
+    omega = speed / depth
     low, high = np.zeros(np.shape(loss)), np.full(np.shape(loss), 1e6)
     for _ in range(200):
         zeta = (low + high) / 2

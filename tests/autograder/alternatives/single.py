@@ -32,7 +32,7 @@ def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 
     return [float(u + w) for u, w in zip(turned, plane_velocity, strict=True)]
 
 
-def penalty_step_limit(mass, stiffness, damping):
+def penalty_step_limit(mass, stiffness, damping=0.0):
     return (sqrt(damping * damping + 4 * mass * stiffness) - damping) / stiffness
 
 
