@@ -19,7 +19,7 @@ from solutions.checks import in_space
 from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
-from solutions.sweeping.rounds import Look, Pairs, advance, flat, free_time, or_undecided, touching
+from solutions.sweeping.rounds import Look, Pairs, advance_all, flat, free_time, or_undecided, touching
 
 LOOKS = 1000
 """Number of looks at a pair. One that needs more remains undecided or is continued."""
@@ -263,13 +263,13 @@ def _time_within(room: Array, approach: Array, turning: Sequence[_Turning], leas
 def _advance_patiently(look: Look, dt: Array, tolerance: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Advance, with further rounds for pairs whose pace suffices to end the step."""
     began = np.zeros(dt.shape)
-    time, undecided = advance(look, dt, tolerance, began, LOOKS)
+    time, undecided = advance_all(look, dt, tolerance, began, LOOKS)
     for more in range(PATIENCE - 1, 0, -1):
         pairs = np.flatnonzero(undecided)
         pairs = pairs[dt[pairs] - time[pairs] < more * (time[pairs] - began[pairs])]
         if not pairs.size:
             break
         began = time
-        time, still_open = advance(look, dt, tolerance, began, LOOKS, pairs)
+        time, still_open = advance_all(look, dt, tolerance, began, LOOKS, pairs)
         undecided[pairs] = still_open[pairs]
     return time, undecided

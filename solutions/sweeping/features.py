@@ -9,7 +9,7 @@ from solutions.arrays import Array
 from solutions.checks import in_space
 from solutions.scaling import in_moderate_units, in_unit, length_of
 from solutions.sweeping.nearest import nearest_weights, triangles
-from solutions.sweeping.rounds import Pairs, advance, flat, free_time, or_undecided, touching
+from solutions.sweeping.rounds import Pairs, advance_all, flat, free_time, or_undecided, touching
 
 LOOKS_UNCUT = 40
 """Looks at a pair before it is cut into halves."""
@@ -167,7 +167,7 @@ def _follow(place: Array, motion: Array, near: Array, began: Array, splits: int)
         closing = -np.vecdot(motion[pairs], normal[:, None, :])
         return heights.min(axis=-1), free_time(heights - near[pairs, None] / 2, closing).min(axis=-1)
 
-    time, undecided = advance(look, np.ones(near.shape), near, began, LOOKS_UNCUT)
+    time, undecided = advance_all(look, np.ones(near.shape), near, began, LOOKS_UNCUT)
     if splits and undecided.any():
         halves = _halves(place[undecided], motion[undecided])
         near_twice, time_twice = np.tile(near[undecided], 2), np.tile(time[undecided], 2)

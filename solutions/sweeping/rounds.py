@@ -40,7 +40,7 @@ def free_time(separation: Array, closing: Array) -> Array:
         return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
 
 
-def advance(
+def advance_all(
     look: Look, dt: Array, tolerance: Array, began: Array, rounds: int, pairs: Pairs | None = None
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Advance from one look to the next until the pair touches or the step is over.
