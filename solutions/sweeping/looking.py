@@ -1,4 +1,4 @@
-"""What looking now and then misses, and when to look so that nothing is missed (slide 10)."""
+"""What looking now and then misses, and when to look to miss nothing (slide 10)."""
 
 from __future__ import annotations
 

@@ -42,4 +42,5 @@ def test_looks_are_counted_and_run_out() -> None:
 
 
 def test_hulls_that_overlap_touch_now() -> None:
-    assert advance(ROD, PLACE, (5.0, 0.0, 0.0), PLACE, ROD + [0.1, 0.0, 0.0], 1.0, 1e-6, 3) == (0.0, 1)
+    crossing = np.array([[0.1, -1.0, 0.0], [0.1, 1.0, -0.1], [0.2, 1.0, 0.3]])
+    assert advance(ROD, PLACE, (5.0, 0.0, 0.0), PLACE, crossing, 1.0, 1e-6, 3) == (0.0, 1)
