@@ -20,8 +20,8 @@ pytestmark = pytest.mark.usefixtures("one_grader")
 BOUNCE = """
 import numpy as np
 
-def kinematic_response(velocity, normal, restitution):
-    along = np.sum(velocity * normal, axis=-1, keepdims=True)
+def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+    along = np.sum((velocity - np.asarray(plane_velocity)) * normal, axis=-1, keepdims=True)
     return np.where(along < 0, velocity - (1 + np.asarray(restitution)[..., None]) * along * normal, velocity)
 """
 
