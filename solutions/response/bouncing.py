@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, vector, whole
-from solutions.detection import side_of_plane, signed_distance
 from solutions.response.steps import respond_at_step
 
 
@@ -24,7 +23,7 @@ def bounce(
     """Where a ball is, and how fast, after each step over a plane (slide 6).
 
     At the start of each step the loop looks whether the centre of the ball is
-    behind the plane n·p + d = 0, as `side_of_plane` has it. The step is then
+    behind the plane n·p + d = 0, where n·p + d is below zero. The step is then
     that of `respond_at_step`. Touching the plane is not behind it.
 
     Parameters
@@ -47,8 +46,8 @@ def bounce(
     Raises
     ------
     ValueError
-        If steps is negative or not a whole number, or as signed_distance and
-        respond_at_step.
+        If steps is negative or not a whole number, a position or an offset is
+        not finite, or as respond_at_step.
 
     Notes
     -----
@@ -58,13 +57,13 @@ def bounce(
     """
     count = int(finite("steps", not_negative("steps", whole("steps", steps))))
     a, n = vector("acceleration", acceleration), vector("normal", normal)
-    p, v = vector("position", position), vector("velocity", velocity)
-    numbers = (offset, restitution, dt)
-    columns = [np.asarray(number)[..., None] for number in numbers]
+    p, v = finite("position", vector("position", position)), vector("velocity", velocity)
+    d = finite("offset", offset)
+    columns = [np.asarray(number)[..., None] for number in (d, restitution, dt)]
     p, v, *_ = np.broadcast_arrays(p, v, a, n, *columns)
     positions, velocities = [p], [v]
     for _ in range(count):
-        behind = side_of_plane(signed_distance(p, n, offset)) < 0
+        behind = np.vecdot(p, n) + d < 0
         p, v = respond_at_step(p, v, a, n, behind, restitution, dt)
         positions.append(p)
         velocities.append(v)

@@ -21,6 +21,8 @@ ONE_SIGN = {
     "it is a mass, a moment of inertia, or an inverse of them": """world_inverse_inertia.i inverse_effective_mass.M
         inverse_effective_mass.I impulse_magnitude.k apply_impulse.M_A apply_impulse.M_B collide.M_A collide.M_B
         audit.k""",
+    "it is a mass, a stiffness or a damping": """penalty_force.m penalty_force.k penalty_force.c penalty_step_limit.m
+        penalty_step_limit.k penalty_step_limit.c design_contact.m""",
     "what friction takes away is above zero": """clamp_to_circle.D clamp_to_circle.L friction_force.g
         friction_force.mu sliding_motion.g sliding_motion.mu sliding_motion.v support_force.F support_force.g
         support_force.m support_force.mu roll_step.m""",
@@ -28,11 +30,16 @@ ONE_SIGN = {
     "it is a number of faces": "polyhedra_intersect.F_A polyhedra_intersect.F_B",
     "a point beyond a corner is farther out than the corner": "convex_separation.x convex_separation.y",
     "it is a distance": "winding_number.h",
+    "it is a depth, or a number of steps": "penalty_force.d design_contact.d design_contact.N",
     "it is a size": """convex_separation.A convex_separation.B overlap_interval.r overlap_interval.w
         missing_probability.w missing_probability.r""",
-    "it is the length of a step": "side_of_plane.dt time_of_impact_interpolated.dt missing_probability.dt",
-    "it is a speed": "side_of_plane.v missing_probability.v edge_edge_normal.c",
-    "no body parts faster for a negative e": "side_of_plane.e edge_edge_normal.e impulse_magnitude.e collide.e",
+    "it is a time": """respond_at_step.dt respond_at_impact.dt respond_at_impact.T side_of_plane.dt
+        time_of_impact_interpolated.dt missing_probability.dt""",
+    "it is a speed": """side_of_plane.v missing_probability.v edge_edge_normal.c kinematic_response.v
+        respond_at_step.v respond_at_impact.v penalty_force.v design_contact.v""",
+    "it is the size of the weight's acceleration": "respond_at_impact.g",
+    "no body parts faster for a negative e": """side_of_plane.e edge_edge_normal.e impulse_magnitude.e collide.e
+        kinematic_response.e respond_at_step.e respond_at_impact.e""",
     "a step with an impact starts in front and ends behind": """time_of_impact_interpolated.s0
         time_of_impact_interpolated.s1""",
     "a separation below zero counts as zero": "time_of_impact_exact.s",
