@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
-from solutions.scaling import root_of_product
 
 
 def penalty_force(
@@ -147,14 +146,21 @@ def penalty_step_limit(
     return np.asarray(2 / (omega * (np.sqrt(1 + zeta**2) + zeta)))
 
 
-def frequency_and_ratio(mass: ArrayLike, stiffness: ArrayLike, damping: ArrayLike) -> tuple[Array, Array]:
+def frequency_and_ratio(
+    mass: ArrayLike,
+    stiffness: ArrayLike,
+    damping: ArrayLike,
+) -> tuple[Array, Array]:
     """The undamped frequency ω, rad/s, and the damping ratio ζ."""
     m, k = mass_and_stiffness(mass, stiffness)
     c = finite("damping", not_negative("damping", damping))
-    return np.sqrt(k / m), np.asarray(c / (2 * root_of_product(k, m)))
+    return np.sqrt(k / m), np.asarray(c / (2 * np.sqrt(k) * np.sqrt(m)))
 
 
-def mass_and_stiffness(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:
+def mass_and_stiffness(
+    mass: ArrayLike,
+    stiffness: ArrayLike,
+) -> tuple[Array, Array]:
     """Mass and stiffness, kg and N/m, as arrays; positive and finite."""
     m, k = positive("mass", mass), positive("stiffness", stiffness)
     return finite("mass", m), finite("stiffness", k)

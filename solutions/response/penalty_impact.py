@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import in_unit_interval
 from solutions.response.penalty import frequency_and_ratio, mass_and_stiffness
-from solutions.scaling import root_of_product
 
 
 def penalty_contact_time(
@@ -124,8 +123,9 @@ def penalty_damping(
     Returns
     -------
     (...), N s/m
-        0 for e = 1. For e = 0 it is infinity, because a contact that cannot pull never
-        takes all the speed; with adhesion it is 2 √(k m), which does.
+        0 for e = 1. For e = 0 it is infinity, because a contact that cannot
+        pull never takes all the speed; with adhesion it is 2 √(k m), which
+        does.
 
     Raises
     ------
@@ -142,26 +142,28 @@ def penalty_damping(
 
         ζ = −ln e/√(π² + ln² e)
 
-    Without adhesion there is no such formula. But e falls steadily as ζ grows, so that
-    bisection finds ζ.
+    Without adhesion there is no such formula. But e falls steadily as ζ
+    grows, so that bisection finds ζ.
     """
-    e, (m, k) = in_unit_interval("restitution", restitution), mass_and_stiffness(mass, stiffness)
+    e = in_unit_interval("restitution", restitution)
+    m, k = mass_and_stiffness(mass, stiffness)
     zeta = _ratio_adhesive(e) if adhesive else _ratio(e)
-    return np.asarray(2 * zeta * root_of_product(k, m))
+    return np.asarray(2 * zeta * np.sqrt(k) * np.sqrt(m))
 
 
 def _swept_angle(zeta: Array, adhesive: bool = False) -> Array:
     """The length of a contact as the angle ω t.
 
-    It is 2 arccos(ζ)/√(1 − ζ²), or the other forms of this from ζ = 1 on; with adhesion
-    it is π/√(1 − ζ²).
+    It is 2 arccos(ζ)/√(1 − ζ²), or the other forms of this from ζ = 1 on; with
+    adhesion it is π/√(1 − ζ²).
     """
     swings = zeta < 1
     sine = np.sqrt(np.abs((1 - zeta) * (1 + zeta)))
     over_sine = 1 / np.where(sine > 0, sine, 1.0)
     if adhesive:
         return np.where(swings, np.pi * over_sine, np.inf)
-    angle = np.where(swings, np.arccos(np.minimum(zeta, 1.0)), np.arccosh(np.maximum(zeta, 1.0)))
+    below = np.arccos(np.minimum(zeta, 1.0))
+    angle = np.where(swings, below, np.arccosh(np.maximum(zeta, 1.0)))
     return 2 * np.where(sine > 0, angle * over_sine, 1.0)
 
 
@@ -174,11 +176,15 @@ def _ratio_adhesive(restitution: Array) -> Array:
 def _ratio(restitution: Array) -> Array:
     """Damping ratio ζ whose impact leaves e, by halving an interval.
 
-    The interval is from 0 to 1/√e. At its upper end an impact leaves less than e.
+    The interval is from 0 to 1/√e. At its upper end an impact leaves less
+    than e.
     """
-    low, high = np.zeros_like(restitution), 1 / np.sqrt(np.where(restitution > 0, restitution, 1.0))
+    some = np.where(restitution > 0, restitution, 1.0)
+    low, high = np.zeros_like(some), 1 / np.sqrt(some)
     for _ in range(60):
         middle = (low + high) / 2
         too_lively = np.exp(-middle * _swept_angle(middle)) > restitution
-        low, high = np.where(too_lively, middle, low), np.where(too_lively, high, middle)
-    return np.where(restitution > 0, np.where(restitution < 1, (low + high) / 2, 0.0), np.inf)
+        low = np.where(too_lively, middle, low)
+        high = np.where(too_lively, high, middle)
+    ratio = np.where(restitution < 1, (low + high) / 2, 0.0)
+    return np.where(restitution > 0, ratio, np.inf)

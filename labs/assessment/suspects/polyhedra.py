@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -50,6 +51,31 @@ def _corners(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array, Array
     return a, b, c
 
 
+def _ranges(program: Callable[..., Any]) -> str:
+    """What is wrong with the distances to the walls of a hall of 6 m by 4 m by 3 m, along a way and back."""
+    size = np.array([6.0, 4.0, 3.0])
+    for place in ((1.0, 1.5, 1.0), (5.5, 3.0, 0.5)):
+        for way in ((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (-0.6, 0.0, 0.8), (2 / 3, -1 / 3, -2 / 3)):
+            start, along = np.array(place), np.array(way)
+            left = np.where(along > 0, size - start, start)
+            right = np.min(left[along != 0] / np.abs(along[along != 0]))
+            found = float(program(start, along))
+            if abs(found - right) > NEAR:
+                return (
+                    f"From ({_triple(place)}) m along ({_triple(way)}) the wall is {right:.3f} m ahead, "
+                    f"and your program says {found:.3f} m."
+                )
+    return ""
+
+
+def _triple(values: ArrayLike) -> str:
+    return ", ".join(f"{value:.2g}".replace("-", "−") for value in np.asarray(values, dtype=float))
+
+
+NEAR = 1e-6
+"""A mended program may differ from the right numbers by so much."""
+MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"robot": _ranges}
+"""Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
 SUSPECTS: dict[str, tuple[Any, ...]] = {
     "crates": ("convex_separation", convex_separation, ()),
     "statue": ("winding_number", winding_number, ()),

@@ -21,11 +21,16 @@ def kinematic_response(
 
 
 def penalty_force(
-    separation: float, normal_velocity: float, normal: ArrayLike, stiffness: float, damping: float = 0.0
+    separation: float,
+    normal_velocity: float,
+    normal: ArrayLike,
+    stiffness: float,
+    damping: float = 0.0,
+    adhesive: bool = False,
 ) -> Array:
     """Force of a contact made of a spring and a dashpot."""
     push = stiffness * max(0.0, -separation) - damping * normal_velocity
-    return max(0.0, push) * np.asarray(normal, dtype=float)
+    return (push if adhesive else max(0.0, push)) * np.asarray(normal, dtype=float)
 
 
 def respond_at_impact(

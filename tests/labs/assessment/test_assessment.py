@@ -2,65 +2,32 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from suspects_tried import BANK_ENTRY, EXPOSING, HARMLESS
 
-from labs.assessment import exposures, oral, seeded
+from labs.assessment import exposures, mending, oral, seeded
 from labs.assessment.marks import marks
 from labs.assessment.shares import CODE, INPUTS, QUESTIONS, SHARES
+from labs.building import lessons
 from labs.grading.diagnosis import misconceptions
 from labs.grading.diagnosis.probes import probes
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, UnknownName
 
 CHOICES = {"e": (0.3, 0.4, 0.6, 0.7), "mass": (1.0, 2.0, 3.0)}
-BANK_ENTRY = {
-    ("detection", "distance"): "signed_distance/offset not over the length",
-    ("detection", "hail"): "time_of_impact_exact/never when rising",
-    ("detection", "gallery"): "overlap_interval/from the front alone",
-    ("impulse", "crates"): "edge_edge_normal/as they run",
-    ("impulse", "hammer"): "inverse_effective_mass/only A turns",
-    ("impulse", "aircraft"): "world_inverse_inertia/turned the other way",
-    ("polyhedra", "crates"): "convex_separation/nearest plane",
-    ("polyhedra", "statue"): "winding_number/unsigned angles, cut at one",
-    ("polyhedra", "garden"): "inside_by_parity/border left out",
-}
-TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-EXPOSING = {
-    ("detection", "distance"): ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
-    ("detection", "hail"): (0.5, 2.0, -10.0),
-    ("detection", "gallery"): (-0.5, 2.0, 0.1, 0.1, 1.0),
-    ("impulse", "crates"): ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
-    ("impulse", "hammer"): (
-        ([0, 0, -1], [0, 0, 0], [0, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
-        ([0, 0, 0], [0, 0, 0], [0.5, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
-        [0, 0, 1],
-    ),
-    ("impulse", "aircraft"): ([1.0, 2.0, 4.0], [0.8, 0.4, 0.4, 0.2]),
-    ("polyhedra", "crates"): ([2.0, 0.1, 0.1], *TETRAHEDRON),
-    ("polyhedra", "statue"): ([2.0, 1.0, 1.0], *TETRAHEDRON),
-    ("polyhedra", "garden"): ([-0.5, -0.5, 0.1], [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, 1]], TETRAHEDRON[1]),
-}
-HARMLESS = {
-    ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
-    ("detection", "hail"): (0.5, -2.0, -10.0),
-    ("detection", "gallery"): (0.5, -2.0, 0.1, 0.1, 1.0),
-    ("impulse", "crates"): ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
-    ("impulse", "hammer"): (EXPOSING["impulse", "hammer"][1], EXPOSING["impulse", "hammer"][0], [0, 0, 1]),
-    ("impulse", "aircraft"): ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
-    ("polyhedra", "crates"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
-    ("polyhedra", "statue"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
-    ("polyhedra", "garden"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
-}
 SEVERAL = (
     ("detection", "hail", ([1.0], -1.0, -9.81)),
     ("detection", "distance", ([[0, 0, 3], [0, 0, 3]], [0, 0, 1], 0)),
     ("impulse", "crates", ([[1, 0, 0]] * 2, [[0, 1, 0]] * 2, [0, 0, 1], [0, 0, 0])),
     ("impulse", "aircraft", ([1, 1, 1], [[1, 0, 0, 0]] * 2)),
 )
-EVERY = [(topic, suspect) for topic in ("detection", "impulse", "polyhedra") for suspect in exposures.suspects(topic)]
+EVERY = [(topic, suspect) for topic in lessons.lessons() for suspect in exposures.suspects(topic)]
 
 
 def right(name):
@@ -95,8 +62,26 @@ def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
     assert len(usual) >= 4
     for arguments in usual:
         with np.errstate(all="ignore"):
-            wrong = np.hstack([np.ravel(part) for part in np.atleast_1d(entry.formula(*arguments))])
+            wrong = exposures._flat(entry.formula(*arguments))
         np.testing.assert_allclose(exposures._flat(suspect.wrong(*arguments)), wrong, atol=1e-9)  # of order 1
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_a_bug_is_mended_by_the_model_and_not_as_printed(topic):
+    cells = [each for each in lessons.read(topic).cells if each.kind == "broken" and "lab.mended(" in each.text]
+    for printed in cells:
+        (model, *_) = lessons.read(topic).models(printed.key)
+        assert mending.still_wrong(topic, printed.key, program_of(printed))
+        assert mending.still_wrong(topic, printed.key, program_of(model)) == ""
+
+
+def program_of(cell):
+    """What the cell hands to lab.mended."""
+    handed = []
+    lab = SimpleNamespace(mended=lambda key, program: handed.append(program))
+    with contextlib.redirect_stdout(io.StringIO()):
+        exec(cell.text, {"lab": lab, "np": np})  # our own lesson
+    return handed[0]
 
 
 def test_an_input_that_the_right_function_refuses_exposes_nothing():
