@@ -59,10 +59,9 @@ def missed_share(speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt:
     speed, dt = extent("speed", speed), extent("dt", dt)
     radius = extent("radius_a", radius_a) + extent("radius_b", radius_b)
     way = speed * dt
-    short = way <= 2 * radius
     few = (way / np.where(radius > 0, radius, 1.0)) ** 2 / 12
-    many = 1 - 4 * radius / (3 * np.where(way > 0, way, 1.0))
-    return np.where(way > 0, np.where(short, few, many), 0.0)
+    many = 1 - 4 / 3 * radius / np.where(way > 0, way, 1.0)
+    return np.where(way <= 2 * radius, few, many)
 
 
 def advance(
