@@ -221,7 +221,7 @@ def test_a_ray_meets_the_side_of_a_capsule_or_one_of_its_ends(submission, part):
                 expect(submission.ray_capsule, (*ray_to(spot, along, time), A, B, 3.0), time)
     with part(1, "past the side, past the ends, and away from it"):
         for spot, along in (
-            ([3, 1.5, 0], [0.5, 0, 1]), ([7.25, 1, 0], [0, -1, 0]), ([7, -1, 0.75], [0.25, 1, 0]),
+            ([3, 1.5, 0], [0.5, 0, 1]), ([7.375, 1, 0], [0, -1, 0]), ([7, -1, 0.75], [0.25, 1, 0]),
             ([-1, 1, 0], [-1, -1, 0.5]), ([-2, 0, 0], [0, 1, -1]), ([2, 0, -1.5], [1, 0, 0]),
         ):  # fmt: skip
             expect(submission.ray_capsule, (*ray_to(spot, along, 4), A, B, 1.25), INFINITY)
