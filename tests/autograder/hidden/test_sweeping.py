@@ -121,11 +121,11 @@ def test_any_two_balls_touch_when_their_centres_are_both_radii_apart(submission,
         examples.together(submission.sweep_sphere_sphere, touched, flight)
 
 
-@asks("sweep_sphere_sphere", 1, "Two balls that meet are turned aside, slow or fast.")
-def test_slow_and_fast_balls_turn_each_other_aside(submission, part):
+@asks("sweep_sphere_sphere", 1, "Two balls that meet are turned aside, however fast they are.")
+def test_very_fast_balls_turn_each_other_aside(submission, part):
     code = with_solutions(submission, "sweeping")
-    with part(1, "marbles at 10 and at 120 m/s"):
-        compared_with_theory(code, "passing-balls", ("v=10", "v=120"), ("passed", "exchanged"))
+    with part(1, "marbles at 120 m/s"):
+        compared_with_theory(code, "passing-balls", ("v=120",), ("passed", "exchanged"))
 
 
 HALF_CHORDS = (np.arange(20_000) + 0.5) / 20_000
@@ -193,7 +193,7 @@ def test_any_ray_is_in_a_box_where_six_faces_leave_something_of_it(submission, p
     with part(1, "all rays along one axis or two, between, on and beside the faces"):
         half = np.array([1.0, 2, 3])
         ways = [each for each in itertools.product((-1.0, 0, 1), repeat=3) if 0 < np.count_nonzero(each) < 3]
-        places = [each * half for each in itertools.product((-2.0, -1, 0.5, 1, 2), repeat=3)]
+        places = [each * half for each in itertools.product((-2.0, -1, 0.5), repeat=3)]
         cases = [(np.asarray(x), np.array(u)) for u in ways for x in places]
         starts, directions = (np.array(each) for each in zip(*cases, strict=True))
         entry, leaving = zip(*(clipped(x, u, half) for x, u in cases), strict=True)
@@ -242,7 +242,7 @@ def reached(x, u, a, b, radius):
         return from_segment(x + u * time, a, b) - radius
 
     low, high = 0.0, 1e3
-    for _ in range(120):  # the time of the smallest distance, by thirds
+    for _ in range(70):  # the time of the smallest distance, by thirds
         first, second = low + (high - low) / 3, high - (high - low) / 3
         low, high = (first, high) if apart(first) > apart(second) else (low, second)
     low, high = 0.0, (low + high) / 2
@@ -250,7 +250,7 @@ def reached(x, u, a, b, radius):
         return 0.0
     if apart(high) > 0:
         return INFINITY
-    for _ in range(60):
+    for _ in range(45):
         middle = (low + high) / 2
         low, high = (low, middle) if apart(middle) <= 0 else (middle, high)
     return high
@@ -269,7 +269,7 @@ def towards(draw):
 @asks("ray_capsule", 7, "The first time at which the distance from the segment is the radius.")
 def test_any_ray_meets_a_capsule_where_its_distance_is_the_radius(submission, part, examples):
     with part(2, "any ray and capsule"):
-        examples.agree(submission.ray_capsule, reached, towards, count=30)
+        examples.agree(submission.ray_capsule, reached, towards, count=20)
     with part(1, "along the segment, through its middle and beside it; straight across"):
         a, b = np.array([1.0, -1, 2]), np.array([3.0, 3, 6])
         along, across, third = np.array([1.0, 2, 2]), np.array([2.0, -2, 1]), np.array([2.0, 1, -2])
@@ -390,7 +390,7 @@ def fall(draw):
     position = turn @ np.array([draw.number(-1, 1), high, draw.number(-1, 1)])
     velocity = turn @ np.array([draw.number(-2, 2), -down, draw.number(-2, 2)])
     dt = draw.number(0.4, 1.2) * high / down
-    return points @ turn.T, middle + position, velocity, draw.vector(1.2), middle + PLATE @ turn.T, dt, 0.02, 60
+    return points @ turn.T, middle + position, velocity, draw.vector(1.2), middle + PLATE @ turn.T, dt, 0.02, 40
 
 
 def past_point(points, position, velocity, spin, target, dt, tolerance, looks):
@@ -420,27 +420,27 @@ def swing(draw):
     )
     target = np.array([[draw.number(-1, 1), 0, draw.number(-0.1, 0.1)]])
     spin = turn @ np.array([draw.number(-0.3, 0.3), draw.number(-0.3, 0.3), draw.number(-2, 2)])
-    return rod @ turn.T, middle + turn @ position, turn @ velocity, spin, middle + target @ turn.T, 4.0, 0.1, 60
+    return rod @ turn.T, middle + turn @ position, turn @ velocity, spin, middle + target @ turn.T, 4.0, 0.1, 40
 
 
 @asks("advance", 7, "Every look comes before anything can have happened, and the last one finds the contact.")
 def test_looks_come_in_time_and_are_no_more_than_needed(submission, part, examples):
     with part(2, "any body that falls onto a plate"):
-        examples.agree(submission.advance, onto_plate, fall, count=10)
+        examples.agree(submission.advance, onto_plate, fall, count=6)
     with part(1, "any rod that swings past a point"):
-        examples.agree(submission.advance, past_point, swing, count=10)
+        examples.agree(submission.advance, past_point, swing, count=6)
     with part(1, "never late: the bodies are apart until then, and at most the tolerance apart at that time"):
 
         def never_late(*given):
             *body, dt, tolerance, _ = given
             time = float(submission.advance(*given)[0])
-            assert not math.isnan(time), "sixty looks are enough"
-            before = heights(*body, np.linspace(0, min(time, dt), 300))[1]
+            assert not math.isnan(time), "forty looks are enough"
+            before = heights(*body, np.linspace(0, min(time, dt), 200))[1]
             assert np.all(before > 0), "the plate has been reached before the time"
             if time < INFINITY:
                 assert before[-1] <= tolerance + 1e-3, f"they are {before[-1]:.3g} m apart at the time"
 
-        examples.every(lambda draw: fall(draw), never_late, count=5)
+        examples.every(fall, never_late, count=4)
     with part(1, "just enough looks, and one less"):
         rod, flies = np.array([[-1.0, 0, 0], [1, 0.1, 0], [0, 0.05, 0.02]]), np.array([0.2, -1.0, 0])
         falling = (rod, np.array([0, 1.5, 0]), flies, np.array([0, 0.5, 2.0]), PLATE, 4.0, 1e-3)

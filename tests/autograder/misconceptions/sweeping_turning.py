@@ -143,7 +143,7 @@ def without_guard(points, position, v, w, target, dt, tolerance, looks):
         s, n = separation_of_hulls(placed(*map(np.asarray, (points, position, v, w)), t), np.asarray(target))
         if s <= tolerance:
             return t, used
-        t = t + float(s) / float(fastest(np.asarray(v), np.asarray(w), farthest(points), -n))
+        t = t + np.divide(s, fastest(np.asarray(v), np.asarray(w), farthest(points), -n))
         if not t <= dt:
             return np.inf, used
     return np.nan, looks
