@@ -135,6 +135,10 @@ BANK = (
       "The time is that at which the ray leaves the sphere. A line crosses a sphere twice, and the ray comes in at the"
       " earlier of the two times.",
       "Which of the two roots is smaller? And on which side of the sphere is the ray then?"),
+    M("ray_sphere", "time of leaving", met(lambda a, b, c: root(a, b, c, 1), starts=never),
+      "The time is that at which the ray leaves the sphere, from outside and from within. A line crosses a sphere"
+      " twice, and a ray that starts within is inside already.",
+      "Which of the two roots is smaller? And how long does a ray wait that starts in the middle?"),
     M("ray_sphere", "exit from within", met(first_ahead, starts=never),
       "A ray that starts inside is given the time at which it leaves. The question is when it is inside for the first"
       " time, and that is now.",
@@ -251,6 +255,9 @@ BANK = (
     M("sweep_sphere_sphere", "far root", swept(met(lambda a, b, c: root(a, b, c, 1))),
       "The time is that at which the balls part again after they have passed through each other.",
       "Their centres are r_A + r_B apart twice. Which of the two times comes first?"),
+    M("sweep_sphere_sphere", "time of parting", swept(met(lambda a, b, c: root(a, b, c, 1), starts=never)),
+      "The time is that at which the balls part again, also of balls that overlap now.",
+      "Their centres are r_A + r_B apart twice. Which of the two times comes first? And what of balls that overlap?"),
     M("sweep_sphere_sphere", "overlap is no touch", swept(met(starts=never)),
       "Balls that overlap already are said not to touch: their contact began in the past.",
       "What does the description say of balls that overlap now?"),

@@ -30,6 +30,10 @@ def in_order(low, high):
     return np.minimum(low, high), np.maximum(low, high)
 
 
+def in_order_all(x, u, h, low, high):
+    return in_order(low, high)
+
+
 def kept(x, u, h, low, high):
     """Along an axis in which nothing moves, an empty interval stays empty."""
     still = np.broadcast_to(np.asarray(u) == 0, low.shape)
@@ -101,12 +105,16 @@ def on_two_axes(x, u, h):
     return right(np.asarray(x)[..., :2], np.asarray(u)[..., :2], np.asarray(h)[..., :2])
 
 
-def behind_too(x, u, h):
+def behind_too(times=crossings, sort=kept):
     """Whether the line meets the box is asked; whether the ray still does, is not."""
-    first, last = kept(x, u, h, *crossings(x, u, h))
-    entry, leaving = np.max(first, axis=-1), np.min(last, axis=-1)
-    good = entry <= leaving
-    return np.where(good, clip(entry), np.inf), np.where(good, leaving, -np.inf)
+
+    def found(x, u, h):
+        first, last = sort(x, u, h, *times(x, u, h))
+        entry, leaving = np.max(first, axis=-1), np.min(last, axis=-1)
+        good = entry <= leaving
+        return np.where(good, clip(entry), np.inf), np.where(good, leaving, -np.inf)
+
+    return found
 
 
 # Capsules
@@ -177,7 +185,7 @@ def end_for_way(x, u, a, b, r):
 
 # fmt: off
 BANK = (
-    M("ray_box", "0/0 on a face", box(divided, lambda x, u, h, low, high: in_order(low, high)),
+    M("ray_box", "0/0 on a face", box(divided, in_order_all),
       "A ray that glides along a face divides zero by zero there, and the NaN goes through all that follows.",
       "A ray has no part across a face and starts on it. When is it between this face and the opposite one?"),
     M("ray_box", "along an axis is a miss", box(all_must_move),
@@ -205,7 +213,11 @@ BANK = (
     M("ray_box", "line for ray", box(starts=lambda entry: entry),
       "Times before the start count as well: a box behind the ray is met at negative times.",
       "Let the ray fly away from the box. Between which times is it in the box?"),
-    M("ray_box", "box behind", behind_too,
+    M("ray_box", "box behind, 0/0 on a face", behind_too(divided, in_order_all),
+      "A box behind the ray is said to be met now: the entry is moved to 0, although the exit lies before that. And a"
+      " ray that glides along a face divides zero by zero there.",
+      "A box lies behind the ray. Which sign has the exit, and how does it compare with 0?"),
+    M("ray_box", "box behind", behind_too(),
       "A box behind the ray is said to be met now: the entry is moved to 0, although the exit lies before that.",
       "A box lies behind the ray. Which sign has the exit, and how does it compare with 0?"),
     M("ray_box", "surface from within", surface_twice,

@@ -134,6 +134,8 @@ def _box() -> list[Probe]:
         usual("from within", [0.5, -1, 2], [2, 1, -4], half),
         usual("from within, along an axis", [0.5, -1, 2], [0, 3, 0], half),
         usual("the box is behind it", [4, 5, 2], [2, 3, 1], half),
+        usual("the box is behind it, along an axis", [3, 0.5, 0.5], [2, 0, 0], half),
+        usual("the box is behind it, slanted", [-4, -3, -6], [-2, -1, -3], half),
         usual("past a corner", [-4, -5, 2], [2, 1, -1], half),
         usual("in the slabs of x and y, but never at the same time", [-5, 4, 0], [2, 2, 0], half),
         usual("beside the box, along an axis", [-3, 2.5, 0.5], [2, 0, 0], half),
