@@ -245,7 +245,7 @@ def _advance() -> list[Probe]:
         usual("it would touch later", ROD, REST, [0.25, 2, 0], REST, WEDGE, 1.0, 0.01, 40),
         usual("it flies past", ROD, [-6, 2, 5], [4, 0, 0], [0, 1, 0], WEDGE, 4.0, 0.01, 40),
         usual("too few looks", ROD, [0, 0.5, 0], [0.25, 1, 0], [0.5, 0, 1.5], WEDGE, 4.0, 0.01, 3),
-        usual("a box that tumbles onto a plate", box, [1, 3, 2], [0.5, -1, 0], [1, 2, 0.5], plate, 5.0, 0.02, 40),
+        usual("a box that tumbles onto a plate", box, [1, 3, 2], [0.5, -1, 0], [0.25, 0.5, 0.5], plate, 5.0, 0.02, 40),
         usual("a point onto a plate", ball, [1, 3, 2], [0.5, -1, 0], [1, 2, 0.5], plate, 5.0, 0.02, 40),
         usual("it overlaps now", ROD, [0, 3.5, 0], [0, -1, 0], [0, 0, 1], WEDGE, 4.0, 0.01, 40),
         usual("a larger tolerance", ROD, [0, 0.5, 0], [0.25, 1, 0], [0.5, 0, 1.5], WEDGE, 4.0, 0.5, 40),
