@@ -405,7 +405,7 @@ def fall(draw):
     position = turn @ np.array([draw.number(-1, 1), high, draw.number(-1, 1)])
     velocity = turn @ np.array([draw.number(-2, 2), -down, draw.number(-2, 2)])
     dt = draw.number(0.4, 1.2) * high / down
-    return points @ turn.T, middle + position, velocity, draw.vector(1.2), middle + PLATE @ turn.T, dt, 0.02, 40
+    return points @ turn.T, middle + position, velocity, draw.vector(0.8), middle + PLATE @ turn.T, dt, 0.02, 40
 
 
 def past_point(points, position, velocity, spin, target, dt, tolerance, looks):

@@ -135,6 +135,10 @@ BANK = (
       "The time is that at which the ray leaves the sphere. A line crosses a sphere twice, and the ray comes in at the"
       " earlier of the two times.",
       "Which of the two roots is smaller? And on which side of the sphere is the ray then?"),
+    M("ray_sphere", "time of leaving", met(lambda a, b, c: root(a, b, c, 1), starts=never),
+      "The time is that at which the ray leaves the sphere, from outside and from within. A line crosses a sphere"
+      " twice, and a ray that starts within is inside already.",
+      "Which of the two roots is smaller? And how long does a ray wait that starts in the middle?"),
     M("ray_sphere", "exit from within", met(first_ahead, starts=never),
       "A ray that starts inside is given the time at which it leaves. The question is when it is inside for the first"
       " time, and that is now.",
@@ -147,8 +151,8 @@ BANK = (
       "A sphere behind the ray is met at a negative time. A ray has a start, and a line has none.",
       "Let the ray fly away from the sphere. When will it meet the sphere?"),
     M("ray_sphere", "x·u for 2 x·u", met(double_b),
-      "The formula with b² − 4ac and 2a belongs to the equation a t² + b t + c = 0. Here b is 2 x·u, and you have put"
-      " in x·u.",
+      "The formula with b² − 4ac and 2a belongs to the equation a t² + b t + c = 0. Your b is not the number that"
+      " stands before t in the equation of the ray.",
       "Multiply out (x + u t)·(x + u t). Which number stands before t?"),
     M("ray_sphere", "direction of length 1", met(terms=unit_direction),
       "The result is right only for a direction of length 1. The direction may have any length: twice as fast, and the"
@@ -251,6 +255,9 @@ BANK = (
     M("sweep_sphere_sphere", "far root", swept(met(lambda a, b, c: root(a, b, c, 1))),
       "The time is that at which the balls part again after they have passed through each other.",
       "Their centres are r_A + r_B apart twice. Which of the two times comes first?"),
+    M("sweep_sphere_sphere", "time of parting", swept(met(lambda a, b, c: root(a, b, c, 1), starts=never)),
+      "The time is that at which the balls part again, also of balls that overlap now.",
+      "Their centres are r_A + r_B apart twice. Which of the two times comes first? And what of balls that overlap?"),
     M("sweep_sphere_sphere", "overlap is no touch", swept(met(starts=never)),
       "Balls that overlap already are said not to touch: their contact began in the past.",
       "What does the description say of balls that overlap now?"),

@@ -30,6 +30,10 @@ def in_order(low, high):
     return np.minimum(low, high), np.maximum(low, high)
 
 
+def in_order_all(x, u, h, low, high):
+    return in_order(low, high)
+
+
 def kept(x, u, h, low, high):
     """Along an axis in which nothing moves, an empty interval stays empty."""
     still = np.broadcast_to(np.asarray(u) == 0, low.shape)
@@ -101,12 +105,16 @@ def on_two_axes(x, u, h):
     return right(np.asarray(x)[..., :2], np.asarray(u)[..., :2], np.asarray(h)[..., :2])
 
 
-def behind_too(x, u, h):
+def behind_too(times=crossings, sort=kept):
     """Whether the line meets the box is asked; whether the ray still does, is not."""
-    first, last = kept(x, u, h, *crossings(x, u, h))
-    entry, leaving = np.max(first, axis=-1), np.min(last, axis=-1)
-    good = entry <= leaving
-    return np.where(good, clip(entry), np.inf), np.where(good, leaving, -np.inf)
+
+    def found(x, u, h):
+        first, last = sort(x, u, h, *times(x, u, h))
+        entry, leaving = np.max(first, axis=-1), np.min(last, axis=-1)
+        good = entry <= leaving
+        return np.where(good, clip(entry), np.inf), np.where(good, leaving, -np.inf)
+
+    return found
 
 
 # Capsules
@@ -177,11 +185,12 @@ def end_for_way(x, u, a, b, r):
 
 # fmt: off
 BANK = (
-    M("ray_box", "0/0 on a face", box(divided, lambda x, u, h, low, high: in_order(low, high)),
-      "A ray that glides along a face divides zero by zero there, and the NaN goes through all that follows.",
+    M("ray_box", "0/0 on a face", box(divided, in_order_all),
+      "A ray that glides along a face divides zero by zero there. The result is NaN, every comparison with it fails,"
+      " and the ray seems to miss.",
       "A ray has no part across a face and starts on it. When is it between this face and the opposite one?"),
     M("ray_box", "along an axis is a miss", box(all_must_move),
-      "A ray that does not move along every axis is said to miss.",
+      "A ray that has no part along one of the axes is said to miss the box.",
       "Let the ray fly along x, straight at the box. What do the slabs of y and z say of it?"),
     M("ray_box", "along an axis is inside", box(still_is_fine),
       "A slab across which the ray does not move is left out, wherever the ray is. So a ray beside the box meets it.",
@@ -190,10 +199,12 @@ BANK = (
       "The ray is said to be in the box as soon as it is in one of the slabs, and as long as it is in any.",
       "A slab goes on for ever. In how many of the three slabs is a point in the box?"),
     M("ray_box", "first entry", box(enters=first_in),
-      "The entry is that into the first slab. In the box is only what is in all three slabs.",
+      "The entry is the time at which the ray enters its first slab. Only a point that is in all three slabs is in the"
+      " box.",
       "A ray is in the slab of x since 1 s and in that of y since 2 s. Since when is it in both?"),
     M("ray_box", "last exit", box(leaves=last_out),
-      "The exit is that out of the last slab. The ray is out of the box as soon as it is out of one of them.",
+      "The exit is the time at which the ray leaves its last slab. The ray is out of the box as soon as it is out of"
+      " one slab.",
       "A ray leaves the slab of x at 3 s and that of y at 4 s. Until when is it in both?"),
     M("ray_box", "faces in a fixed order", box(sort=lambda x, u, h, low, high: (low, high)),
       "The low face is taken for the entry and the high face for the exit. That is so only for a ray that flies along"
@@ -205,7 +216,11 @@ BANK = (
     M("ray_box", "line for ray", box(starts=lambda entry: entry),
       "Times before the start count as well: a box behind the ray is met at negative times.",
       "Let the ray fly away from the box. Between which times is it in the box?"),
-    M("ray_box", "box behind", behind_too,
+    M("ray_box", "box behind, 0/0 on a face", behind_too(divided, in_order_all),
+      "A box behind the ray is said to be met now: the entry is moved to 0, although the exit lies before that. And a"
+      " ray that glides along a face divides zero by zero there.",
+      "A box lies behind the ray. Which sign has the exit, and how does it compare with 0?"),
+    M("ray_box", "box behind", behind_too(),
       "A box behind the ray is said to be met now: the entry is moved to 0, although the exit lies before that.",
       "A box lies behind the ray. Which sign has the exit, and how does it compare with 0?"),
     M("ray_box", "surface from within", surface_twice,
@@ -244,10 +259,10 @@ BANK = (
       "What does the description say of a ray that grazes a corner?"),
 
     M("ray_capsule", "ends left out", capsule(first=False, second=False),
-      "Only the side is asked for. Around each end there is half a ball as well.",
+      "Only the side is tested. Around each end there is half a ball as well.",
       "Fly along the segment, straight at one of its ends. What do you meet?"),
     M("ray_capsule", "side left out", capsule(side=None),
-      "Only the balls around the two ends are asked for. Between them is a cylinder.",
+      "Only the balls around the two ends are tested. Between them is a cylinder.",
       "Fly at the middle of a long capsule. What do you meet?"),
     M("ray_capsule", "endless cylinder", capsule(counts=lambda whole, place, rate, time, r: time <= np.inf),
       "The cylinder has no end: the ray meets it also beyond the ends of the segment.",
@@ -267,7 +282,7 @@ BANK = (
       "Between which two planes is the nearest point of the segment not one of its ends?"),
     M("ray_capsule", "place at the start",
       capsule(counts=lambda whole, place, rate, time, r: between(whole, place + 0 * rate, 0 * rate, time, r)),
-      "It is asked whether the ray starts between the ends. What matters is where it is when it meets the side.",
+      "The function asks whether the ray starts between the ends. What matters is where it is when it meets the side.",
       "A ray flies along the segment and comes nearer to it slowly. Where is it when it meets the side?"),
     M("ray_capsule", "metres for a share",
       capsule(counts=lambda whole, place, rate, time, r: between(1 + 0 * whole, place, rate, time, r)),
@@ -289,7 +304,7 @@ BANK = (
       " along the segment brings it no nearer.",
       "Look along the segment. How fast do you see the ray move?"),
     M("ray_capsule", "nearest ball", nearest_ball,
-      "One ball is asked for, around the point of the segment that is nearest to the start. While the ray flies,"
+      "Only one ball is tested, around the point of the segment that is nearest to the start. While the ray flies,"
       " another point becomes the nearest one.",
       "A ray starts beside one end and flies at the other one. Which ball does it meet?"),
     M("ray_capsule", "last of the three times", last_of_three,
