@@ -14,11 +14,12 @@ Verdict = Literal[
     "too slow", "wrong", "not tried",
 ]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
-usual cases, but not all limiting ones. several: more than one explains the same answers. another order: it returns the
-right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact
-only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it ran out of time in a test
-and was not called again. wrong: it failed a test, and its probes do not say why. not tried: the time of the whole
-submission was used up before, which says nothing about the function."""
+usual cases, but not all limiting ones; or it explains all that is wrong, but a few cases are right nonetheless.
+several: more than one explains the same answers. another order: it returns the right things in an order of its own.
+unknown: no known mistake explains them. one at a time: right for a single contact only. crashes, shape: it gives no
+number to compare. unwritten: it is the stub. too slow: it ran out of time in a test and was not called again. wrong: it
+failed a test, and its probes do not say why. not tried: the time of the whole submission was used up before, which says
+nothing about the function."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class Diagnosis:
     cases of bad input that it should have refused. changes_input: whether it writes into its arguments. odd: the
     simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right. order: the
     places of what it returns, if only their order is wrong. spares_limits: whether limiting cases are right that a
-    likely mistake would get wrong.
+    likely mistake would get wrong. spares_cases: whether cases of any kind are, and all that is wrong is the mistake's.
     """
 
     function: str
@@ -58,6 +59,7 @@ class Diagnosis:
     limits_alone: bool = False
     order: tuple[int, ...] = ()
     spares_limits: bool = False
+    spares_cases: bool = False
 
     def error_is_in(self, *examples: Counterexample | None) -> bool:
         """Whether one of these examples ends in the error that is named first."""
