@@ -41,7 +41,9 @@ def bounce(
     Returns
     -------
     positions, velocities : (steps + 1, ..., 3) each, m and m/s
-        The first of each is the start, the last that after all steps.
+        The first of each is the start, the last that after all steps. With
+        e = 0 a ball moves along the plane after its response; on a slanted one,
+        rounding decides whether v·n is then below zero.
 
     Raises
     ------
