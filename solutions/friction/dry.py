@@ -65,8 +65,8 @@ def friction_force(
     (..., 3), N
         For a body that slides, however slowly, μ_k N against its velocity. For
         a body at rest whose push is at most μ_s N, −push. A body at rest whose
-        push is above μ_s N starts to slide along the push, and friction opposes the
-        push with μ_k N.
+        push is above μ_s N starts to slide along the push, and friction
+        opposes the push with μ_k N.
 
     Raises
     ------

@@ -37,7 +37,7 @@ def support_force(
         body off leaves 0.
     along : (..., 3), N
         The part along the surface of all forces except the support's, as the
-        support sees them. It is the same whether or not the body is lifted off.
+        support sees them, whether or not the body is lifted off.
 
     Raises
     ------
@@ -131,8 +131,8 @@ def break_away_time(
     -------
     (...), s
         0 where the body is not held even now: the push is above μ_s N, or the
-        force pulls the body off. Infinity where it is held for ever. If N falls
-        to zero before the push is above μ_s N, the instant at which it does.
+        force pulls the body off. Infinity where it is held for ever. If N
+        falls to zero before the push is above μ_s N, that instant.
 
     Raises
     ------

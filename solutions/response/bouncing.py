@@ -42,8 +42,8 @@ def bounce(
     -------
     positions, velocities : (steps + 1, ..., 3) each, m and m/s
         The first of each is the start, the last that after all steps. With
-        e = 0 a ball moves along the plane after its response; on a slanted one,
-        rounding decides whether v·n is then below zero.
+        e = 0 a ball moves along the plane after its response; on a slanted
+        plane, rounding decides whether v·n is then below zero.
 
     Raises
     ------

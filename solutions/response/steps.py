@@ -36,8 +36,8 @@ def respond_at_impact(
     normal : (..., 3), unit, out of the plane
     restitution : (...), e, 0 to 1
     time_of_impact : (...), T, s from the start of the step
-        Exact or the slide's. T = dt is a collision at the very end of the step.
-        A later T means no collision, and so does infinity.
+        Exact or the slide's. T = dt is a collision at the very end of the
+        step. A later T means no collision, and so does infinity.
     dt : (...), s, length of the step
 
     Returns
