@@ -36,7 +36,7 @@ def met(x, u, radius):
 def ray(draw, shares=(0.05, 0.95)):
     """A ray that passes a sphere at a share of its radius: it comes, it goes, or it starts within."""
     u, radius = draw.vector(4), draw.number(0.3, 3)
-    nearest = beside(draw, u, draw.number(*shares) * radius)
+    nearest = beside(draw, u, (draw.number(*shares) + 0.003) * radius)  # so that none grazes the sphere
     return nearest - draw.rng.choice([1, 1, 1, -1, 0]) * draw.number(0.5, 4) * (1 + radius / length(u)) * u, u, radius
 
 
