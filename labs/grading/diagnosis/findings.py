@@ -21,6 +21,10 @@ and was not called again. wrong: it failed a test, and its probes do not say why
 submission was used up before, which says nothing about the function."""
 
 
+LEAST = 3
+"""So many cases must be wrong in just the known way if the other cases give no number, or other numbers."""
+
+
 @dataclass(frozen=True)
 class Counterexample:
     """The simplest probe that a submission fails, its answer, and the right answer."""
@@ -33,6 +37,19 @@ class Counterexample:
 
 
 @dataclass(frozen=True)
+class Unnamed:
+    """What a function with an unknown mistake returned on its probes with a single case (`diagnosis.unnamed`).
+
+    numbers: how far each answer deviates, or a word if it is no number. place: of the simplest probe with a wrong
+    number among these. example: that probe with its answer.
+    """
+
+    numbers: tuple[float | str, ...]
+    place: int
+    example: Counterexample
+
+
+@dataclass(frozen=True)
 class Diagnosis:
     """What is known of one function of a submission.
 
@@ -42,7 +59,7 @@ class Diagnosis:
     cases of bad input that it should have refused. changes_input: whether it writes into its arguments. odd: the
     simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right. order: the
     places of what it returns, if only their order is wrong. spares_limits: whether limiting cases are right that a
-    likely mistake would get wrong.
+    likely mistake would get wrong. unnamed: what an unknown mistake gives, as far as it can be recognised again.
     """
 
     function: str
@@ -58,6 +75,7 @@ class Diagnosis:
     limits_alone: bool = False
     order: tuple[int, ...] = ()
     spares_limits: bool = False
+    unnamed: Unnamed | None = None
 
     def error_is_in(self, *examples: Counterexample | None) -> bool:
         """Whether one of these examples ends in the error that is named first."""

@@ -16,17 +16,15 @@ import numpy as np
 
 from labs.grading.calling.cases import OneCase
 from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs, spread
-from labs.grading.diagnosis.findings import Counterexample, Diagnosis, Verdict
+from labs.grading.diagnosis.findings import LEAST, Counterexample, Diagnosis, Unnamed, Verdict
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known, of_functions
 from labs.grading.diagnosis.probes import Group, Probe, probes
 from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.diagnosis.unnamed import unnamed
 from labs.grading.errors import GraderFailed
 
 DIFFERENT = 5
 """So many different wrong numbers identify a formula even if calls with several contacts go wrong in another way."""
-LEAST = 3
-"""So many cases must be wrong in just the known way if the other cases give no number, or other numbers."""
-
 
 Uses = Callable[[str], Iterable[str]]
 """Says which functions of a submission one of them calls."""
@@ -161,6 +159,7 @@ class _Evidence:
             all(self.groups[at] != "usual" for at in wrong),
             order,
             verdict == "likely" and any(map(self._spares_limits, mistakes)),
+            self._unnamed() if verdict == "unknown" else None,
         )
 
     def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
@@ -178,6 +177,10 @@ class _Evidence:
         if not found:
             return self._without_name(), ()
         return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
+
+    def _unnamed(self) -> Unnamed | None:
+        knowledge = self.knowledge
+        return unnamed(knowledge.function, self.answered, self.deviations, knowledge.parameters)
 
     def _order(self) -> tuple[int, ...]:
         """The places of what is returned, if all single contacts are right except for their order; else empty."""

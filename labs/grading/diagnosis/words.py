@@ -87,6 +87,16 @@ _WITHOUT_NAME = {
 }
 
 
+def renamed(message: str, function: str, title: str, help: str) -> str:
+    """A message about a mistake that the lab does not know, with the title and the hint that a course gives it."""
+    named = [*_wrapped(f"{function}: {title}"), *_wrapped(f"Hint: {help}")]
+    for words in (_WITHOUT_NAME["unknown"], _AT_LIMITS):
+        unknown = "\n".join(_wrapped(f"{function}: {words}"))
+        if unknown in message:
+            return message.replace(unknown, "\n".join(named), 1)
+    return "\n".join([*named, message])
+
+
 def _wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, WIDTH, break_on_hyphens=False)
 
@@ -105,6 +115,11 @@ def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = 
 
 def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
     """A function's answer and the right one, in two lines. names: of what it returns, if it is several things."""
+    return gives_beside_physics(*answered(answer, right, names))
+
+
+def answered(answer: Answer, right: Right, names: Sequence[str] = ()) -> tuple[str, str]:
+    """A function's answer and the right one in words."""
     truths = _are_truths(answer.value, right)
     expected = labelled([shown(array.astype(bool) if truths else array) for array in right.outputs], names)
     found = outputs(answer.value, len(right.outputs))
@@ -116,7 +131,7 @@ def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
         came = labelled([shown(array.astype(bool) if truths else array) for array in found], names)
         if [array.shape for array in found] != [array.shape for array in right.outputs]:
             came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
-    return gives_beside_physics(came, expected)
+    return came, expected
 
 
 def _are_truths(value: Any, right: Right) -> bool:
