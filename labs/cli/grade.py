@@ -13,9 +13,21 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from labs.cli.console import errors, output
 from labs.gradebook import written
 from labs.gradebook.book import STUDENTS, Book, Failures, run
-from labs.gradebook.class_grading import Class, Marker, answers, marks, read_class, tasks, write_pages, write_tables
+from labs.gradebook.class_grading import (
+    Class,
+    Marker,
+    answers,
+    marks,
+    read_class,
+    shared_mistakes,
+    tasks,
+    write_pages,
+    write_tables,
+)
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.grading import Graded, Task, versions
+from labs.gradebook.mistakes import naming
+from labs.gradebook.mistakes.course_bank import read_bank
 from labs.gradebook.roster import read_roster
 from labs.gradebook.workers import Workers, here, on_cluster
 from labs.grading.budget import SECONDS
@@ -40,6 +52,9 @@ def grade(
     rules: Annotated[
         Path | None, typer.Option(metavar="TOML", help="Deadlines, and what a late submission loses.")
     ] = None,
+    bank: Annotated[
+        Path, typer.Option(metavar="DIR", help="The course's own bank: mistakes that you have named.")
+    ] = Path("course-bank"),
     release: Annotated[
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
@@ -60,6 +75,7 @@ def grade(
     found = read_class(folder, topic, read_roster(roster) if roster else None)
     deadlines = read_deadlines(rules) if rules else Deadlines()
     failures, book = Failures(), Book(out)
+    read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
     machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
     with machines as graders, folder_for("the grades", out, "--out"), book.alone():
         gone = book.withdraw_others(found.handed, topic)
@@ -67,9 +83,12 @@ def grade(
         written.write_questions(out, topic, answers(found, book))
         asked, place = written.questions(topic), out / written.FOLDER
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
-        marker = Marker(book, deadlines, failures, written.Codes(out), asked, first)
+        names, waiting, notes = naming.name_filled_in(out, read_bank(bank))
+        marker = Marker(book, deadlines, failures, written.Codes(out), asked, first, names)
         every = marks(found, marker)
-        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker)
+        shared = shared_mistakes(every, marker, waiting)
+        naming.write_waiting(out, shared, waiting, names)
+        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker, shared)
     graded = sum(mark.content is not None for mark in every)
     output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
     for student in gone:
@@ -81,6 +100,12 @@ def grade(
     for mark in every:
         if mark.notes:
             output.print(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"), markup=False, soft_wrap=True)
+    for note in (*notes, *names.notes(topic)):
+        output.print(one_line(note), markup=False, soft_wrap=True)
+    if shared:
+        several = f"{len(shared)} mistakes" if len(shared) > 1 else "A mistake"
+        said = f"{several} without a name shared by several students: see {out / naming.PAGE}; write a name into"
+        output.print(f"{said} {out / naming.FILE}.", markup=False, soft_wrap=True)
     if left := sum(mark.open > 0 for mark in every):
         said = f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again."
         output.print(said, markup=False, soft_wrap=True)

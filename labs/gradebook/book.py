@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
+from labs.gradebook.locks import locked
 from labs.gradebook.workers import Workers, lost
 from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import as_json, read_grade, write_private
@@ -63,6 +64,13 @@ class Book:
         except (OSError, ValueError, KeyError, TypeError):
             return 0.0
 
+    def code_of(self, student: str) -> str:
+        """The student's own code; empty if there is none."""
+        try:
+            return (self.folder / PYTHON / f"{self.place(student).name}.py").read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError):
+            return ""
+
     def is_done(self, task: Task) -> bool:
         """Whether the grade that is there is the one of this submission."""
         found = self.grade_of(task.student)
@@ -100,18 +108,8 @@ class Book:
         InvalidInput
             If somebody does, or this is Windows, which has no such locks.
         """
-        try:
-            import fcntl  # noqa: PLC0415 - Windows has none
-        except ImportError:
-            raise InvalidInput("a class is graded on Linux or a Mac; on Windows use its Linux (WSL)") from None
-        self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        with open(self.folder / _LOCK, "w", encoding="utf-8") as lock:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
-                raise InvalidInput(
-                    f"somebody else is grading into {str(self.folder)!r}: wait until they are done"
-                ) from None
+        busy = f"somebody else is grading into {str(self.folder)!r}: wait until they are done"
+        with locked(self.folder / _LOCK, busy):
             yield
 
 

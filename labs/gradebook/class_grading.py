@@ -12,7 +12,11 @@ from labs.gradebook.arrivals import Arrival, Missing, arrivals
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.grading import Task
-from labs.gradebook.pages import class_page, student_page
+from labs.gradebook.mistakes import naming
+from labs.gradebook.mistakes.clusters import Cluster, clusters
+from labs.gradebook.mistakes.course_bank import CourseBank
+from labs.gradebook.mistakes.entries import Entry
+from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.tables import Mark, for_platform, junit, plain_table
 from labs.gradebook.written import Codes, Given, Question, given_to
@@ -88,7 +92,10 @@ def tasks(found: Class, release: str, seconds: float) -> Iterator[Task]:
 
 @dataclass(frozen=True)
 class Marker:
-    """What the marks of a class are made of besides the submissions: grades, rules, and points given by hand."""
+    """What the marks of a class are made of besides the submissions: grades, rules, and what people have written.
+
+    given: points for answers. bank: names that the course gives to mistakes.
+    """
 
     book: Book
     deadlines: Deadlines
@@ -96,6 +103,7 @@ class Marker:
     codes: Codes
     asked: tuple[Question, ...]
     given: Mapping[tuple[str, str], Given]
+    bank: CourseBank
 
     def questions(self, student: str, content: Mapping[str, Any]) -> float | None:
         """The share of the points of the questions that a student got; None while some are not marked."""
@@ -129,6 +137,7 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     content = marker.book.grade_of(student.id)
     if content is None:
         return Mark(student, found.lab, None, late=late, notes=(*notes, "not graded yet"))
+    content = marker.bank.joined(content)
     points, left = float(content["points"]), 0.0
     if "unreadable" in content:
         notes.append(str(content["unreadable"]))
@@ -139,8 +148,17 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     return Mark(student, found.lab, points, left, late, content, tuple(notes))
 
 
-def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker) -> Path:
-    """Write a page for each student who handed something in, and that of the class, and say where the latter is."""
+def shared_mistakes(every: Sequence[Mark], marker: Marker, waiting: Sequence[Entry]) -> list[Cluster]:
+    """The mistakes without a name that several students share. waiting: what is still to be named from the last run."""
+    contents = {mark.student.id: mark.content for mark in every if mark.content is not None}
+    return clusters(contents, marker.book.code_of, waiting, [entry.id for entry in marker.bank.entries])
+
+
+def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker, shared: Sequence[Cluster]) -> Path:
+    """Write a page for each student who handed something in, and that of the class, and say where the latter is.
+
+    shared: the mistakes without a name; a page of their own, for instructors, has what is not for the class.
+    """
     measured = {}
     for mark in every:
         place, code = book.place(mark.student.id), marker.codes(mark.student.id)
@@ -149,7 +167,8 @@ def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker)
             write_private(place / FEEDBACK, student_page(mark, marker.asked, given))
             measured[code] = book.seconds(mark.student.id)
     page = book.folder / CLASS
-    write_private(page, class_page(found.lab, every, measured))
+    write_private(page, class_page(found.lab, every, measured, shared))
+    write_private(book.folder / naming.PAGE, clusters_page(found.lab, shared))
     return page
 
 

@@ -26,6 +26,7 @@ from labs.building.marking import marks_of
 from labs.gradebook.similarity import own_code
 from labs.gradebook.written import answers_in, questions
 from labs.grading.calling.remote import Grader, Limits
+from labs.grading.diagnosis.fingerprints.reading import FOLDER as FINGERPRINTS
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.judging.grade import SCHEMA, VERSION, grade
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
@@ -76,8 +77,8 @@ def identity(task: Task) -> dict[str, Any]:
 
 
 def versions(lab: str) -> dict[str, str]:
-    """Of all that a grade depends on besides the submission; of the tests a digest of their text."""
-    tests = hashlib.sha256()
+    """Of all that a grade depends on besides the submission; of tests and known mistakes a digest of their text."""
+    tests, mistakes = hashlib.sha256(), FINGERPRINTS / f"{lab}.json"
     for folder in (VISIBLE, HIDDEN):
         tests.update((AUTOGRADER / folder / f"test_{lab}.py").read_bytes())
     return {
@@ -85,6 +86,7 @@ def versions(lab: str) -> dict[str, str]:
         "python": platform.python_version(),
         "numpy": np.__version__,
         "tests": tests.hexdigest(),
+        "known mistakes": hashlib.sha256(mistakes.read_bytes() if mistakes.exists() else b"").hexdigest(),
     }
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from labs.grading.diagnosis.deviations import Answer, Deviation, Right
 from labs.grading.diagnosis.findings import LEAST, Counterexample, Unnamed
-from labs.grading.diagnosis.fingerprints.reading import known
+from labs.grading.diagnosis.fingerprints.reading import Known, known
 from labs.grading.diagnosis.probes import Probe, probes
 
 Word = Literal["none", "shape", "kind"]
@@ -73,6 +73,13 @@ def single_cases(function: str) -> tuple[tuple[Probe, Right], ...]:
     """The probes of a function with a single case, with their right answers, in the order of `Unnamed.numbers`."""
     rows = zip(probes(function), known(function).right, strict=True)
     return tuple((probe, right) for probe, right in rows if right and probe.group in SINGLE)
+
+
+def known_numbers(function: str, mistake: Known) -> tuple[Value, ...]:
+    """What a known mistake of a function gives on these probes."""
+    groups = [probe.group for probe, right in zip(probes(function), known(function).right, strict=True) if right]
+    pairs = zip(groups, mistake.deviations, strict=True)
+    return tuple(value_of(deviation) for group, deviation in pairs if group in SINGLE)
 
 
 @functools.cache
