@@ -34,7 +34,7 @@ from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
 from reference import lecture
 from reference.errors import InvalidInput
-from reference.writable import folder_for
+from reference.writable import folder_for, refused_in_words
 
 FAILED = 1
 
@@ -83,37 +83,36 @@ def grade(
         written.write_questions(out, topic, answers(found, book))
         asked, place = written.questions(topic), out / written.FOLDER
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
-        names, waiting, notes = naming.name_filled_in(out, read_bank(bank))
+        with refused_in_words("the course's bank", bank, "--bank"):
+            names, waiting, notes = naming.name_filled_in(out, read_bank(bank))
         marker = Marker(book, deadlines, failures, written.Codes(out), asked, first, names)
         every = marks(found, marker)
         shared = shared_mistakes(every, marker, waiting)
         naming.write_waiting(out, shared, waiting, names)
         tables, page = write_tables(out, found, every), write_pages(book, found, every, marker, shared)
     graded = sum(mark.content is not None for mark in every)
-    output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
+    _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
     for student in gone:
-        output.print(
-            f"The grade of {one_line(student)} is put away: nothing is handed in any more.",
-            markup=False,
-            soft_wrap=True,
-        )
+        _say(f"The grade of {one_line(student)} is put away: nothing is handed in any more.")
     for mark in every:
         if mark.notes:
-            output.print(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"), markup=False, soft_wrap=True)
+            _say(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"))
     for note in (*notes, *names.notes(topic)):
-        output.print(one_line(note), markup=False, soft_wrap=True)
+        _say(one_line(note))
     if shared:
-        several = f"{len(shared)} mistakes" if len(shared) > 1 else "A mistake"
-        said = f"{several} without a name shared by several students: see {out / naming.PAGE}; write a name into"
-        output.print(f"{said} {out / naming.FILE}.", markup=False, soft_wrap=True)
+        several = f"{len(shared)} mistakes" if len(shared) > 1 else "One mistake"
+        _say(f"{several} without a name: see {out / naming.PAGE}, and write a name into {out / naming.FILE}.")
     if left := sum(mark.open > 0 for mark in every):
-        said = f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again."
-        output.print(said, markup=False, soft_wrap=True)
+        _say(f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again.")
     if said := written.agreement(first, second):
-        output.print(said, markup=False, soft_wrap=True)
-    output.print(f"Marks: {', '.join(str(path) for path in tables)}", markup=False, soft_wrap=True)
-    output.print(f"The class: {page}; each student's page is in {out / STUDENTS}.", markup=False, soft_wrap=True)
+        _say(said)
+    _say(f"Marks: {', '.join(str(path) for path in tables)}")
+    _say(f"The class: {page}; each student's page is in {out / STUDENTS}.")
     raise typer.Exit(FAILED if failures.said else 0)
+
+
+def _say(line: str) -> None:
+    output.print(line, markup=False, soft_wrap=True)
 
 
 def _grade_all(book: Book, found: Class, release: str, seconds: float, graders: Workers, failures: Failures) -> None:
