@@ -59,6 +59,10 @@ def grade(
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
     seconds: Annotated[float, typer.Option(metavar="S", help="How long each submission may take.")] = SECONDS,
+    runs: Annotated[
+        bool,
+        typer.Option(help="Also run everybody's functions in the scenarios of the lab, beside the recorded engines."),
+    ] = True,
     workers: Annotated[
         int | None, typer.Option("--jobs", "-j", min=1, help="Submissions at a time; by default one per processor.")
     ] = None,
@@ -79,7 +83,7 @@ def grade(
     machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
     with machines as graders, folder_for("the grades", out, "--out"), book.alone():
         gone = book.withdraw_others(found.handed, topic)
-        _grade_all(book, found, release, seconds, graders, failures)
+        _grade_all(book, found, tasks(found, release, seconds, runs), graders, failures)
         written.write_questions(out, topic, answers(found, book))
         asked, place = written.questions(topic), out / written.FOLDER
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
@@ -115,14 +119,14 @@ def _say(line: str) -> None:
     output.print(line, markup=False, soft_wrap=True)
 
 
-def _grade_all(book: Book, found: Class, release: str, seconds: float, graders: Workers, failures: Failures) -> None:
+def _grade_all(book: Book, found: Class, every: Iterator[Task], graders: Workers, failures: Failures) -> None:
     expected = versions(found.lab)
     columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=errors, transient=True) as progress:
         bar = progress.add_task("", total=len(found.handed))
 
         def todo() -> Iterator[Task]:
-            for task in tasks(found, release, seconds):
+            for task in every:
                 if book.is_done(task):
                     progress.advance(bar)
                 else:

@@ -18,6 +18,7 @@ from labs.gradebook.mistakes.course_bank import CourseBank
 from labs.gradebook.mistakes.entries import Entry
 from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
+from labs.gradebook.runs_compared import compared, spreads
 from labs.gradebook.tables import Mark, for_platform, junit, plain_table
 from labs.gradebook.written import Codes, Given, Question, given_to
 from labs.grading.judging.grade import write_private
@@ -81,12 +82,21 @@ def _student(found: Class, entry: Arrival | Missing) -> Student:
     return student
 
 
-def tasks(found: Class, release: str, seconds: float) -> Iterator[Task]:
+def tasks(found: Class, release: str, seconds: float, with_runs: bool) -> Iterator[Task]:
     """The submissions as tasks; each is read only when it is wanted."""
     names = {student.id: student.name for student in found.students}
     for student, arrival in sorted(found.handed.items()):
+        content = arrival.read()
         yield Task(
-            student, names.get(student, ""), found.lab, arrival.entry, arrival.file, arrival.read(), release, seconds
+            student,
+            names.get(student, ""),
+            found.lab,
+            arrival.entry,
+            arrival.file,
+            content,
+            release,
+            seconds,
+            with_runs,
         )
 
 
@@ -159,15 +169,17 @@ def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker,
 
     shared: the mistakes without a name; a page of their own, for instructors, has what is not for the class.
     """
-    measured = {}
+    measured, ran = {}, []
     for mark in every:
         place, code = book.place(mark.student.id), marker.codes(mark.student.id)
         if mark.content is not None:
             given = {key: points for (key, each), points in marker.given.items() if each == code}
-            write_private(place / FEEDBACK, student_page(mark, marker.asked, given))
+            runs = book.runs_of(mark.student.id) or []
+            write_private(place / FEEDBACK, student_page(mark, marker.asked, given, compared(runs, found.lab)))
             measured[code] = book.seconds(mark.student.id)
+            ran.append(runs)
     page = book.folder / CLASS
-    write_private(page, class_page(found.lab, every, measured, shared))
+    write_private(page, class_page(found.lab, every, measured, spreads(ran, found.lab), shared))
     write_private(book.folder / naming.PAGE, clusters_page(found.lab, shared))
     return page
 

@@ -19,6 +19,7 @@ import jinja2
 from labs.assessment.shares import SHARES
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster
+from labs.gradebook.runs_compared import Compared, Spread
 from labs.gradebook.similarity import right_code
 from labs.gradebook.tables import Mark
 from labs.gradebook.written import Given, Question
@@ -68,9 +69,13 @@ class Mistake:
 
 
 def student_page(
-    mark: Mark, asked: Sequence[Question], given: Mapping[str, Given], contact: str = "your instructor"
+    mark: Mark,
+    asked: Sequence[Question],
+    given: Mapping[str, Given],
+    runs: Sequence[Compared] = (),
+    contact: str = "your instructor",
 ) -> str:
-    """What a student reads. given: by question, the points and comments that a person gave."""
+    """What a student reads. given: by question, the points and comments that a person gave. runs: in scenarios."""
     content = mark.content or {}
     kinds = {
         kind: (found["reached"], found["possible"], SHARES[kind]) for kind, found in content.get("marks", {}).items()
@@ -82,14 +87,21 @@ def student_page(
     ]
     return _environment().get_template("student.html.j2").render(
         mark=mark, title=lecture.topic(mark.lab).title, kinds=kinds, functions=functions, asked=asked, given=given,
-        content=content, contact=contact,
+        content=content, contact=contact, runs=runs,
     )  # fmt: skip
 
 
-def class_page(lab: str, marks: Sequence[Mark], measured: Mapping[str, float], shared: Sequence[Cluster] = ()) -> str:
-    """What an instructor reads, and may show: no names. measured: by code of a student, seconds that grading took.
+def class_page(
+    lab: str,
+    marks: Sequence[Mark],
+    measured: Mapping[str, float],
+    runs: Sequence[Spread] = (),
+    shared: Sequence[Cluster] = (),
+) -> str:
+    """What an instructor reads, and may show: no names.
 
-    shared: mistakes without a name, of which this page says no more than how many students make them.
+    measured: by code of a student, seconds that grading took. runs: what the class measured in scenarios. shared:
+    mistakes without a name, of which this page says no more than how many students make them.
     """
     graded = [mark for mark in marks if mark.content and "unreadable" not in mark.content]
     scores = [mark.raw for mark in graded if mark.raw is not None]
@@ -99,7 +111,7 @@ def class_page(lab: str, marks: Sequence[Mark], measured: Mapping[str, float], s
     return _environment().get_template("class.html.j2").render(
         title=lecture.topic(lab).title, students=len(marks), graded=len(graded), bins=[bins[at] for at in range(BINS)],
         median=statistics.median(scores) if scores else None, items=found, weakest=weakest(found),
-        mistakes=mistakes(contents), unnamed=[(len(each.students), each.function) for each in shared],
+        mistakes=mistakes(contents), unnamed=[(len(each.students), each.function) for each in shared], runs=runs,
         slowest=sorted(measured.items(), key=lambda each: -each[1])[:5],
     )  # fmt: skip
 

@@ -146,7 +146,7 @@ def test_the_shortest_version_stands_escaped_beside_the_right_one_and_only_on_th
     assert "no evidence that somebody copied" in page
     assert shared[0].id in page
     marks = [Mark(Student(f"s{at}"), LAB, 10.0, content=grade_of(SCALED)) for at in range(3)]
-    shown = class_page(LAB, marks, {}, shared)
+    shown = class_page(LAB, marks, {}, shared=shared)
     assert '<td class="number">3</td><td><code>kinematic_response</code></td>' in shown
     assert "no evidence that somebody copied" in shown
     for hidden in ("helper", "(0, 0,", "unit(", "velocity=", shared[0].id):
