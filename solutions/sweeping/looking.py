@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, of_shape, positive, whole
+from solutions.checks import finite, in_space, not_negative, of_shape, positive, whole
 from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
@@ -59,10 +59,9 @@ def missed_share(speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt:
     speed, dt = extent("speed", speed), extent("dt", dt)
     radius = extent("radius_a", radius_a) + extent("radius_b", radius_b)
     way = speed * dt
-    short = way <= 2 * radius
     few = (way / np.where(radius > 0, radius, 1.0)) ** 2 / 12
-    many = 1 - 4 * radius / (3 * np.where(way > 0, way, 1.0))
-    return np.where(way > 0, np.where(short, few, many), 0.0)
+    many = 1 - 4 / 3 * radius / np.where(way > 0, way, 1.0)
+    return np.where(way <= 2 * radius, few, many)
 
 
 def advance(
@@ -100,6 +99,9 @@ def advance(
         where they stay apart over the step. It is NaN where all looks are used
         up before it is decided whether the hulls touch.
     used : how often the separation was measured, from 1 to looks
+        The first look is at the start of the step. After each one the clock
+        advances as far as the separation and the `motion_bound` of all of A allow,
+        whose reach is that of A's farthest corner. No look is taken after dt.
 
     Raises
     ------
@@ -120,10 +122,9 @@ def advance(
     The loop advances the clock by this time, and looks again. If μ ≤ 0, no point
     of A ever comes nearer along n, and the hulls stay apart for ever.
     """
-    corners, b = point_set("points_a", points_a), point_set("points_b", points_b)
-    corners, b = of_shape("points_a", corners, (corners.shape[-2], 3)), of_shape("points_b", b, (b.shape[-2], 3))
-    position, velocity = of_shape("position_a", position_a, (3,)), of_shape("velocity_a", velocity_a, (3,))
-    turn = of_shape("angular_velocity_a", angular_velocity_a, (3,))
+    corners, b = _one_hull("points_a", points_a), _one_hull("points_b", points_b)
+    position, velocity = _one_vector("position_a", position_a), _one_vector("velocity_a", velocity_a)
+    turn = _one_vector("angular_velocity_a", angular_velocity_a)
     end, near = finite("dt", not_negative("dt", dt)), positive("tolerance", tolerance)
     most = int(finite("looks", positive("looks", whole("looks", looks))))
     reach = length_of(corners).max()
@@ -138,3 +139,14 @@ def advance(
         if time > end:
             return np.inf, used
     return np.nan, most
+
+
+def _one_hull(name: str, points: ArrayLike) -> Array:
+    """Return the corners (n, 3) of one hull; refuse those of several."""
+    corners = point_set(name, points)
+    return of_shape(name, corners, (corners.shape[-2], 3))
+
+
+def _one_vector(name: str, value: ArrayLike) -> Array:
+    """Return one vector (3,); refuse several."""
+    return of_shape(name, in_space(name, value), (3,))

@@ -22,6 +22,8 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "face_planes": ("normal", "offset"),
     "convex_separation": ("separation", "face"),
     "segment_triangle": ("fraction", "barycentric"),
+    "ray_box": ("entry", "exit"),
+    "advance": ("time", "used"),
 }
 _OF_RUNS = ("bounce",)
 """Functions that return a run: the first axis of each thing counts its steps, the next ones the cases."""

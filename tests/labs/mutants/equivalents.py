@@ -346,6 +346,101 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Mirrored, both solids meet as before.": ("vertices_a and vertices_b: sign flipped",),
         NOT_NEGATIVE: ("size for it: any(inside)…",),
     },
+    "ray_sphere": {
+        "Only its square is used.": ("cross product turned round: np.cross(x, u) → np.cross(u, x)",),
+        "From within the result is zero, whatever the size of the sphere.": (
+            "limit dropped: np.minimum(r, distance) → shaped(r, distance)",
+        ),
+        "A ray that comes no nearer misses; without a direction the quotient is infinite.": (
+            "boundary: closing > 0 → closing >= 0",
+        ),
+        "The root is used only where the ray meets the sphere.": (
+            "branch dropped: np.where(meets, discriminant, 0.0) → shaped(discriminant, meets)",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
+        UNIT: (
+            "…: (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * (metre / speed) → (distance…",
+            "…: metre / speed → …",
+        ),
+    },
+    "sweep_sphere_sphere": {
+        NOT_NEGATIVE: ("size for it: …",),
+        "The root of a negative number is NaN, and NaN is in no step.": (
+            "in ray_sphere: condition dropped: (closing > 0) & (discriminant >= 0) → closing > 0",
+            "in ray_sphere: condition dropped: discriminant >= 0 → always(discriminant >= 0)",
+        ),
+    },
+    "within": {NOT_NEGATIVE: ("size for it: …",)},
+    "missed_share": {
+        ORDER: ("results swapped: (speed, dt) → (dt, speed)",),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "ray_box": {NOT_NEGATIVE: ("half_extents: size for it",)},
+    "in_all": {
+        "It matters only where a time leaves the range of the floats.": (
+            "condition dropped: (entry <= leaving) & (entry < np.inf) → entry <= leaving",
+            "boundary: entry < np.inf → entry <= np.inf",
+            "condition dropped: entry < np.inf → always(entry < np.inf)",
+        ),
+        NOT_NEGATIVE: ("size for it: (np.where(meets, entry, np.inf), … → (np.abs(…",),
+    },
+    "time_between": {
+        "The quotient is used only where something moves along the axis.": (
+            "branch dropped: np.where(moves, np.abs(rate), 1.0) → shaped(np.abs(rate), moves)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        "It is multiplied by infinity.": (
+            "twice the number: 1.0 → 2.0 (2)",
+            "half the number: 1.0 → 0.5 (2)",
+            "twice the number: 1.0 → 2.0 (3)",
+            "half the number: 1.0 → 0.5 (3)",
+        ),
+        "A sign is its own inverse.": ("ratio for product: -place * np.sign(rate) → -place / np.sign(rate)",),
+        "A slab behind the start is left before the start, whenever it is entered.": (
+            "size for it: middle - half → np.abs(middle) - half",
+        ),
+        NOT_NEGATIVE: ("size for it: middle … np.abs(half)",),
+        "Of an interval that is empty, one end is enough.": (
+            "branch dropped: np.where(moves, first, -sign * np.inf) → shaped(first, moves)",
+            "factor forgotten: -sign * np.inf → -sign",
+            "ratio for product: -sign * np.inf → …",
+            "factor forgotten: sign * np.inf → np.inf",
+            "ratio for product: sign * np.inf → np.inf / sign",
+        ),
+    },
+    "ray_capsule": {
+        ORDER: ("results swapped: (start, end) → (end, start)",),
+        "Without a length there is no side.": (
+            "branch dropped: np.where(squared > 0, squared, 1.0) → shaped(squared, squared > 0)",
+            "boundary: squared > 0 → squared >= 0",
+            "condition dropped: squared > 0 → always(squared > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        "Where the side is not met, the place is that of no time, and the ends decide.": (
+            "branch dropped: np.where(np.isfinite(side), side, 0.0) → shaped(side, np.isfinite(side))",
+        ),
+        "At the end of the side, the ball around this end is met at the same time.": (
+            "boundary: there >= 0 → there > 0",
+            "boundary: there <= 1 → there < 1",
+        ),
+        NOT_NEGATIVE: ("size for it: np.minimum(…",),
+        UNIT: (
+            "factor forgotten: place / metre → place",
+            "product for ratio: place / metre → place * metre",
+            "factor forgotten: rate / metre → rate",
+            "product for ratio: rate / metre → rate * metre",
+        ),
+    },
+    "motion_bound": {
+        TWICE: ("angular_velocity: sign flipped", "cross product turned round: np.cross(n, w) → np.cross(w, n)"),
+        NOT_NEGATIVE: ("size for it: np.vecdot(n, v) + turning → np.vecdot(n, v) + np.abs(turning)",),
+    },
+    "advance": {
+        NOT_NEGATIVE: ("size for it: …",),
+        "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
+    },
 }
 
 

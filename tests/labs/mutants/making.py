@@ -48,7 +48,21 @@ def _points(_size: int, **named: Any) -> Any:
 
 
 CHECKS = dict.fromkeys(
-    ("finite", "not_negative", "positive", "whole", "in_unit_interval", "unit", "vector", "matrix"), _named
+    (
+        "finite",
+        "not_negative",
+        "positive",
+        "whole",
+        "in_unit_interval",
+        "unit",
+        "vector",
+        "matrix",
+        "in_space",
+        "extent",
+        "_one_hull",
+        "_one_vector",
+    ),
+    _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
 """What stands for the checks of what enters: they turn lists into arrays."""
 NOT_ASKED = ("blocks", "boxes_that_meet", "_faces_above", "_in_moderate_units", "_stretch", "_around_many",

@@ -29,7 +29,7 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra")
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping")
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
 
