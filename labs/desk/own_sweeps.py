@@ -122,10 +122,11 @@ def passes(case: str) -> list[Pass]:
     return found
 
 
-def rod_beside(case: str, time: float, engines: Sequence[str]) -> Replay:
-    """A replay of the first pass, in which your rod strikes the ball at a time, beside engines that are tuned.
+def rod_beside(case: str, time: float, engines: Sequence[str], *, stock: bool = False) -> Replay:
+    """A replay of the first pass, in which your rod strikes the ball at a time, beside engines.
 
-    Where the time is infinite, your rod passes. Otherwise the two part as in theory.
+    Where the time is infinite, your rod passes. Otherwise the two part as in theory. stock: whether the engines are
+    shown as they come.
 
     Raises
     ------
@@ -151,7 +152,7 @@ def rod_beside(case: str, time: float, engines: Sequence[str]) -> Replay:
         orientations = np.array([geometry.turned(np.array(rod.orientation), turn) for turn in turns])
         return np.stack(places, axis=1), np.stack([orientations, upright], axis=1)
 
-    return replay_beside(case, (rod.name, ball.name), poses, engines, oblique=False)
+    return replay_beside(case, (rod.name, ball.name), poses, engines, stock=stock, oblique=False)
 
 
 def _parting(spin: Array, normal: Array) -> tuple[Array, Array]:
