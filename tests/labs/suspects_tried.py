@@ -39,6 +39,9 @@ EXPOSING = {
     ("polyhedra", "crates"): ([2.0, 0.1, 0.1], *TETRAHEDRON),
     ("polyhedra", "statue"): ([2.0, 1.0, 1.0], *TETRAHEDRON),
     ("polyhedra", "garden"): ([-0.5, -0.5, 0.1], [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, 1]], TETRAHEDRON[1]),
+    ("sweeping", "zone"): ([0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 1.0),
+    ("sweeping", "viewer"): ([-3.0, 0.0, 5.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
+    ("sweeping", "pipes"): ([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -56,4 +59,7 @@ HARMLESS = {
     ("polyhedra", "crates"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
     ("polyhedra", "statue"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
     ("polyhedra", "garden"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
+    ("sweeping", "zone"): ([0.0, 0.5, -3.0], [0.0, 0.0, 2.0], 1.0),
+    ("sweeping", "viewer"): ([-3.0, 0.2, -1.5], [1.0, 0.1, 0.4], [1.0, 1.0, 1.0]),
+    ("sweeping", "pipes"): ([2.0, 0.1, 0.3], [-1.0, 0.0, 0.1], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
 }
