@@ -41,7 +41,8 @@ def bounce(
     Returns
     -------
     positions, velocities : (steps + 1, ..., 3) each, m and m/s
-        The first of each is the start, the last that after all steps.
+        The first of each is the start, the last that after all steps. Each
+        has an entry for every ball, also where all balls start alike.
 
     Raises
     ------

@@ -17,6 +17,10 @@ _COLUMN = (
     "A number for each case stands beside its vectors as a column: number[..., None] * vector. Likewise the condition"
     " of np.where: np.where(condition[..., None], b, c)."
 )
+_TABLE = (
+    "A row of numbers times a column of them is a table. Each number for a case stands beside the vectors as a column,"
+    " also one that is given: np.asarray(number)[..., None]."
+)
 _ADVICE = (
     (r"name 'np' is not defined", "`import numpy as np` is missing."),
     (r"name '(numpy|math)' is not defined", r"`import \1` is missing."),
@@ -67,6 +71,10 @@ _ADVICE = (
     (
         r"could not be broadcast together .*(\(\d+,\) \((\d+,)*3,?\)|\((\d+,)*3,?\) \(\d+,\))",
         _COLUMN,
+    ),
+    (
+        r"could not be broadcast together .*(\((\d+),\2\) \((\d+,)*3,?\)|\((\d+,)*3,?\) \((\d+),\5\))",
+        _TABLE,
     ),
     (
         r"of shape \((\d+), \1\) instead of \(\1,\)",

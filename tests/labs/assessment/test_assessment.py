@@ -54,6 +54,14 @@ def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
     assert harmless.said.startswith("Both give")
 
 
+def test_a_place_and_a_velocity_are_shown_with_their_names():
+    found = exposures.tried(
+        exposures.suspect("response", "film"), EXPOSING["response", "film"], right("respond_at_impact")
+    )
+    assert found.said.startswith("respond_at_impact gives position=(0, 0, ")
+    assert found.said.count("velocity=(0, 0, ") == 2
+
+
 @pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
 def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
     suspect = exposures.suspect(topic, key)

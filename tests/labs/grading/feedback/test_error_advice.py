@@ -21,6 +21,19 @@ def test_infinity_is_blamed_on_no_division_where_a_function_may_return_it():
     assert advice("time_of_impact_exact(1)\ngives   (inf, nan)\nphysics (1, 2)").startswith("nan comes from 0/0")
 
 
+def test_a_row_of_numbers_times_a_column_is_told_from_numbers_beside_vectors():
+    for shapes, said in {
+        "(4,) (4,3)": "A number for each case stands beside",
+        "(4,4) (4,3)": "A row of numbers times a column",
+        "(2,2) (3,)": "A row of numbers times a column",
+        "(2,3) (2,2)": "A row of numbers times a column",
+        "(4,5) (4,3)": "",
+    }.items():
+        found = advice(f"ValueError: operands could not be broadcast together with shapes {shapes}")
+        assert found.startswith(said), shapes
+        assert bool(found) == bool(said), shapes
+
+
 def test_functions_that_may_return_infinity_are_those_that_promise_it():
     promised = set()
     for entry in lecture.FUNCTIONS.values():
