@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.submission.cells import read_cells
 from labs.grading.submission.magics import without_magics
 from reference import lecture
@@ -89,14 +90,16 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         if single != wrong.shapes:
             raise InvalidInput("the input has to be one case: your colleague's function takes no more at once")
         try:
-            given = _flat(wrong.wrong(*arguments))
+            other = wrong.wrong(*arguments)
+            given = _flat(other)
         except Exception as error:
             raise InvalidInput(
                 f"your colleague's function ends in {type(error).__name__}: take another input"
             ) from None
     if given.shape == answer.shape and np.allclose(given, answer, rtol=NEAR, atol=NEAR, equal_nan=True):
-        return Exposure(False, f"Both give {_shown(answer)}")
-    return Exposure(True, f"{wrong.function} gives {_shown(answer)}, and your colleague's {_shown(given)}")
+        return Exposure(False, f"Both give {_in_words(needed, wrong.function)}")
+    theirs = _in_words(other, wrong.function)
+    return Exposure(True, f"{wrong.function} gives {_in_words(needed, wrong.function)}, and your colleague's {theirs}")
 
 
 def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:
@@ -155,6 +158,14 @@ def _flat(answer: Any) -> np.ndarray[Any, Any]:
     """An answer's numbers in a row; a tuple is read as its parts one after another."""
     parts = answer if isinstance(answer, tuple) else (answer,)
     return np.concatenate([np.ravel(np.asarray(part, dtype=float)) for part in parts])
+
+
+def _in_words(answer: Any, function: str) -> str:
+    """An answer as a line shows it: several things each by its name, as the checks call it."""
+    names = output_names(function)
+    if isinstance(answer, tuple) and len(answer) == len(names):
+        return labelled([_shown(_flat(part)) for part in answer], names)
+    return _shown(_flat(answer))
 
 
 def _shown(answer: np.ndarray[Any, Any]) -> str:

@@ -54,6 +54,12 @@ def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
     assert harmless.said.startswith("Both give")
 
 
+def test_a_result_of_several_things_has_a_name_for_each():
+    scales = exposures.suspect("friction", "scales")
+    said = exposures.tried(scales, EXPOSING["friction", "scales"], right("support_force")).said
+    assert "normal force=" in said and "along=(" in said
+
+
 @pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
 def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
     suspect = exposures.suspect(topic, key)
