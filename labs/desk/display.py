@@ -35,13 +35,17 @@ class Picture:
     text: str
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        return {"text/plain": self.text, "image/png": self.png}
+        return {"text/plain": self.text, "text/html": self._image("max-width"), "image/png": self.png}
 
     @property
     def markup(self) -> str:
-        """The figure as part of a page."""
+        """The figure as part of a page, as wide as the place that it has there."""
+        return self._image("width")
+
+    def _image(self, fitted: str) -> str:
+        """The figure with its text as alternative text, which a bare PNG cannot carry."""
         content = base64.b64encode(self.png).decode("ascii")
-        return f'<img alt="{escape(self.text)}" style="width:100%" src="data:image/png;base64,{content}">'
+        return f'<img alt="{escape(self.text)}" style="{fitted}:100%" src="data:image/png;base64,{content}">'
 
 
 @dataclass(frozen=True)

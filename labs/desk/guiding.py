@@ -42,7 +42,7 @@ class Guiding:
 
         guide = self._guide(function)
         found = {left: line for left, line in lines.items() if line is not ...}
-        for line in derivations.judged(guide, found) if found else derivations.asked(guide):
+        for line in derivations.judged(guide, found) if found else derivations.asked(guide, lines):
             print(line)
 
     @errors_in_words

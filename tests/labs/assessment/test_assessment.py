@@ -62,6 +62,12 @@ def test_a_place_and_a_velocity_are_shown_with_their_names():
     assert found.said.count("velocity=(0, 0, ") == 2
 
 
+def test_a_result_of_several_things_has_a_name_for_each():
+    scales = exposures.suspect("friction", "scales")
+    said = exposures.tried(scales, EXPOSING["friction", "scales"], right("support_force")).said
+    assert "normal force=" in said and "along=(" in said
+
+
 @pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
 def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
     suspect = exposures.suspect(topic, key)

@@ -18,6 +18,12 @@ z: height of the centre, m, 0 to 3
 r: radius, m, 0.1 to 0.5
 ```
 
+```derive
+v = 2 * r
+v: width, m
+r: radius, m, 0.1 to 0.5
+```
+
 ### The idea
 
 Above $z = 0$ ![A contact.](figure:contact) and below.
@@ -72,9 +78,16 @@ def test_derive_says_what_is_asked_for_and_what_it_is_made_of(lab, capsys):
     found = said(capsys, lab.derive, "signed_distance")
     assert "Find s, separation, m, from\n    z  height of the centre, m\n    r  radius, m\n" in found
     assert 'lab.derive("signed_distance", s="…")' in found
+    assert 'lab.derive("signed_distance", v="…")' in found
     assert "z - r" not in found
-    assert said(capsys, lab.derive, "signed_distance", s=...) == found
     assert "Of side_of_plane no line is asked for." in said(capsys, lab.derive, "side_of_plane")
+
+
+def test_derive_asks_for_the_line_of_its_cell_alone(lab, capsys):
+    found = said(capsys, lab.derive, "signed_distance", s=...)
+    assert 'lab.derive("signed_distance", s="…")' in found
+    assert "width" not in found
+    assert "no line d = … is asked for" in said(capsys, lab.derive, "signed_distance", d=...)
 
 
 @pytest.mark.parametrize(
