@@ -75,10 +75,11 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         If it is no single case, or one of the two functions refuses it: then it says nothing about the mistake.
     """
     _check_size(arguments)
+    given_to_both = [_as_checks_give(each) for each in arguments]
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
-            needed = right(*arguments)
+            needed = right(*given_to_both)
             single = {np.shape(part) for part in (needed if isinstance(needed, tuple) else (needed,))}
             answer = _flat(needed)
         except NotImplementedError:
@@ -89,14 +90,15 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         if single != wrong.shapes:
             raise InvalidInput("the input has to be one case: your colleague's function takes no more at once")
         try:
-            given = _flat(wrong.wrong(*arguments))
+            given = _flat(wrong.wrong(*given_to_both))
         except Exception as error:
             raise InvalidInput(
                 f"your colleague's function ends in {type(error).__name__}: take another input"
             ) from None
     if given.shape == answer.shape and np.allclose(given, answer, rtol=NEAR, atol=NEAR, equal_nan=True):
-        return Exposure(False, f"Both give {_shown(answer)}")
-    return Exposure(True, f"{wrong.function} gives {_shown(answer)}, and your colleague's {_shown(given)}")
+        return Exposure(False, f"Both give {_shown(answer, needed)}")
+    said = f"{wrong.function} gives {_shown(answer, needed)}, and your colleague's {_shown(given, needed)}"
+    return Exposure(True, said)
 
 
 def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:
@@ -151,12 +153,24 @@ def _count(value: Any) -> int:
     return sum(map(_count, value)) if isinstance(value, list | tuple) else 1
 
 
+def _as_checks_give(value: Any) -> Any:
+    """An input as the checks of a lab give it: a list as an array, unless its parts differ in shape."""
+    if not isinstance(value, list | tuple):
+        return value
+    with contextlib.suppress(ValueError):  # as of a body, with its velocity and its mass
+        return np.array(value)
+    return value
+
+
 def _flat(answer: Any) -> np.ndarray[Any, Any]:
     """An answer's numbers in a row; a tuple is read as its parts one after another."""
     parts = answer if isinstance(answer, tuple) else (answer,)
     return np.concatenate([np.ravel(np.asarray(part, dtype=float)) for part in parts])
 
 
-def _shown(answer: np.ndarray[Any, Any]) -> str:
+def _shown(answer: np.ndarray[Any, Any], needed: Any) -> str:
+    """An answer's numbers. needed: the right answer, which may be yes or no."""
+    if np.asarray(needed[0] if isinstance(needed, tuple) else needed).dtype == bool and np.isin(answer, (0, 1)).all():
+        return ", ".join(map(str, answer.astype(bool).tolist()))
     numbers = [f"{value + 0.0:.4g}".replace("-", "−") for value in np.round(answer, 12)]
     return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"

@@ -48,7 +48,7 @@ def right(p, v, f):
 
 def moved(p, v, f):
     """The point is moved by some real length, such as a nanometre."""
-    return counted(lambda t, s: strictly_within(t) & ahead(t, s))(np.asarray(p) + [4e-10, 9e-10, 1e-10], v, f)
+    return counted(lambda t, s: strictly_within(t) & ahead(t, s))(np.add(p, [4e-10, 9e-10, 1e-10]), v, f)
 
 
 def behind_all(p, v, f):

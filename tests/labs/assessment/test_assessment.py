@@ -100,6 +100,18 @@ def test_an_input_that_the_right_function_refuses_exposes_nothing():
         exposures.suspect("impulse", "crate")
 
 
+def test_an_input_is_tried_as_the_checks_give_it():
+    suspect, given = exposures.suspect("polyhedra", "garden"), []
+
+    def of_arrays(point, vertices, faces):
+        given.extend((vertices[faces], point[..., None]))
+        return right(suspect.function)(point, vertices, faces)
+
+    found = exposures.tried(suspect, EXPOSING["polyhedra", "garden"], of_arrays)
+    assert [each.shape for each in given] == [(4, 3, 3), (3, 1)]
+    assert found.said == "inside_by_parity gives True, and your colleague's False"
+
+
 def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
     cells = [
         'lab.expose("hail", 0.5, 2.0, -10.0)',
