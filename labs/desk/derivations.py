@@ -11,15 +11,15 @@ from labs.guidance.hint_files import Guide
 from reference.errors import InvalidInput
 
 
-def asked(guide: Guide, wanted: Collection[str] = ()) -> Iterator[str]:
-    """What there is to derive for a function, line by line. wanted: the left sides of some of the lines; all if empty.
+def asked(guide: Guide, lefts: Collection[str] = ()) -> Iterator[str]:
+    """What there is to derive for a function, line by line. lefts: of these lines alone; of all if there are none.
 
     Raises
     ------
     InvalidInput
-        If there is no such line.
+        If no such line is asked for.
     """
-    for derivation in [guide.derivation(left) for left in wanted] or guide.derivations:
+    for derivation in map(guide.derivation, lefts) if lefts else guide.derivations:
         meaning = f", {derivation.asked}," if derivation.asked else ""
         yield f"Find {derivation.left}{meaning} from"
         width = max(len(name) for name in derivation.names)

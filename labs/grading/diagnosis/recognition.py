@@ -216,11 +216,14 @@ class _Evidence:
         return True
 
     def _shown(self, entry: Known, groups: tuple[Group, ...]) -> bool:
-        """Whether enough wrong numbers are the known mistake's own."""
+        """Whether enough wrong numbers are the known mistake's own.
+
+        One or two numbers, such as the answer to a mesh without faces, are too few to accuse another function.
+        """
         rows = [row for row in zip(self.deviations, entry.deviations, self.groups, strict=True) if row[2] in groups]
         seen = sum(not own.right and not own.failure and own.agrees(theirs) for own, theirs, _ in rows)
         errors = any(own.failure == "error" for own, _, _ in rows)
-        return seen >= (LEAST if errors or groups == ("usual",) else 1)
+        return seen >= (LEAST if errors or entry.origins or groups == ("usual",) else 1)
 
     def _spares_limits(self, entry: Known) -> bool:
         """Whether a limiting case is right that a known mistake gets wrong."""

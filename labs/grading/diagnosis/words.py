@@ -18,6 +18,8 @@ from labs.grading.wrapping import WIDTH
 ODD = "Something else is wrong besides:"
 MOST = 12
 """An array of up to so many numbers is shown number by number."""
+SPACE = 3
+"""So many coordinates has a point in space."""
 
 
 def told(diagnosis: Diagnosis) -> str:
@@ -145,17 +147,24 @@ def _shapes(arrays: Sequence[Any]) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value with few digits: a diagonal matrix as `diag(2, 2, 2)`, a long array by its shape only."""
+    """A value with few digits: a diagonal matrix as `diag(2, 2, 2)`, a long array by its shape, points by their box."""
     if isinstance(value, tuple):
         return "(" + ", ".join(shown(item) for item in value) + ")"
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":
         return repr(value)
     if array.size > MOST:
-        return f"an array {array.shape}"
+        return f"an array {array.shape}{_box(array)}"
     if _is_diagonal(array):
         return f"diag{_nested(np.diagonal(array).tolist())}"
     return _nested(array.tolist())
+
+
+def _box(array: Any) -> str:
+    """Of many points (n, 3) the corners of the box around them; nothing of other arrays."""
+    if array.ndim != 2 or array.shape[1] != SPACE or array.dtype.kind != "f" or not np.isfinite(array).all():
+        return ""
+    return f" between {_nested(array.min(axis=0).tolist())} and {_nested(array.max(axis=0).tolist())}"
 
 
 def _is_diagonal(array: Any) -> bool:
@@ -165,5 +174,6 @@ def _is_diagonal(array: Any) -> bool:
 
 def _nested(value: Any) -> str:
     if isinstance(value, list):
-        return "(" + ", ".join(map(_nested, value)) + ")"
+        only = "," if len(value) == 1 else ""  # as Python writes a tuple of one, so that it can be copied
+        return "(" + ", ".join(map(_nested, value)) + only + ")"
     return str(value) if isinstance(value, bool) else f"{float(value) + 0.0:.6g}"

@@ -111,6 +111,8 @@ MAY_BE_INFINITE = (
     "segment_triangle", "ray_sphere", "sweep_sphere_sphere", "ray_box", "ray_capsule", "advance", "timestep_bound",
 )  # fmt: skip
 """Functions that students write and that return infinity on purpose in some cases: no division by zero gave it."""
+MAY_BE_NO_NUMBER = ("segment_triangle", "advance")
+"""Those that return NaN on purpose beside it: such an answer says that nothing was found."""
 _NOT_FINITE = re.compile(
     r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )([^\n]*)\n *physics (?![^\n]*\binf\b)", re.MULTILINE
 )
@@ -131,7 +133,8 @@ def advice(message: str, given: Collection[str] = ()) -> str:
         called = _CALLED.search(message)
         if called is None or called[1] not in MAY_BE_INFINITE:
             return _INF + _NAN
-        return _NAN if "nan" in found[2] else ""
+        on_purpose = called[1] in MAY_BE_NO_NUMBER and "inf" in found[2]
+        return _NAN if "nan" in found[2] and not on_purpose else ""
     return ""
 
 

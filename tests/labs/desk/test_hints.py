@@ -19,9 +19,9 @@ r: radius, m, 0.1 to 0.5
 ```
 
 ```derive
-v = 2 * r
-v: width, m
-r: radius, m, 0.1 to 0.5
+w = 2 * z
+w: width, m
+z: height of the centre, m, 0 to 3
 ```
 
 ### The idea
@@ -78,15 +78,18 @@ def test_derive_says_what_is_asked_for_and_what_it_is_made_of(lab, capsys):
     found = said(capsys, lab.derive, "signed_distance")
     assert "Find s, separation, m, from\n    z  height of the centre, m\n    r  radius, m\n" in found
     assert 'lab.derive("signed_distance", s="…")' in found
-    assert 'lab.derive("signed_distance", v="…")' in found
     assert "z - r" not in found
+    assert "Find w, width, m, from" in found
     assert "Of side_of_plane no line is asked for." in said(capsys, lab.derive, "side_of_plane")
 
 
-def test_derive_asks_for_the_line_of_its_cell_alone(lab, capsys):
+def test_derive_says_what_is_asked_for_in_the_lines_that_are_still_dots(lab, capsys):
     found = said(capsys, lab.derive, "signed_distance", s=...)
-    assert 'lab.derive("signed_distance", s="…")' in found
-    assert "width" not in found
+    assert "Find s, " in found
+    assert "Find w, " not in found
+    found = said(capsys, lab.derive, "signed_distance", s="z - r", w=...)
+    assert found.startswith("✓ s = z - r is right")
+    assert "Find w, width, m, from" in found
     assert "no line d = … is asked for" in said(capsys, lab.derive, "signed_distance", d=...)
 
 
@@ -96,7 +99,7 @@ def test_derive_asks_for_the_line_of_its_cell_alone(lab, capsys):
         ({"s": "-r + z"}, "✓ s = -r + z is right"),
         ({"s": "z + r"}, "✗ s = z + r\n    At z = 1 and r = 0.1 your line gives 1.1; the equation holds for 0.9."),
         ({"s": "z - d"}, "lab.derive: unknown quantity 'd'. Choices: z, r."),
-        ({"d": "z - r"}, "lab.derive: of signed_distance no line d = … is asked for; there is s"),
+        ({"d": "z - r"}, "lab.derive: of signed_distance no line d = … is asked for; there is s and w"),
         ({"s": 0.5}, "lab.derive: write the line between quotes"),
     ],
 )
