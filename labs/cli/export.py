@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from labs.building import lessons
 from labs.building.archives import lay_out, pack
 from labs.cli.console import output
 from labs.gradebook.platforms import bundles
 from labs.gradebook.platforms.bundles import IMAGE, Bundle
+from labs.grading.judging import pytest_run
 from labs.grading.judging.grade import write_private
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
@@ -51,16 +54,18 @@ def export(
     _only_for("--grades", grades, platform, "nbgrader")
     _only_for("--image", image, platform, "prairielearn")
     name = lecture.topic(lab).name
+    if name not in (ready := [each for each in pytest_run.tested() if each in lessons.lessons()]):
+        raise InvalidInput(f"{name} cannot be graded yet; choose one of {', '.join(ready)}")
     if platform == "gradescope":
         _archive(out, name)
     elif platform == "classroom50":
-        _folder(out, bundles.classroom50(name))
+        _folder(out, lambda: bundles.classroom50(name))
     elif platform == "prairielearn":
-        _folder(out, bundles.prairielearn(name, image or IMAGE))
+        _folder(out, lambda: bundles.prairielearn(name, image or IMAGE))
+    elif grades is not None:
+        _folder(out, lambda: bundles.nbgrader(grades, name), private=True)
     else:
-        if grades is None:
-            raise InvalidInput("nbgrader takes marks: name the folder that collisions grade has written with --grades")
-        _folder(out, bundles.nbgrader(grades, name), private=True)
+        raise InvalidInput("nbgrader takes marks: name the folder that collisions grade has written with --grades")
     output.print(f"{out} is what {platform} needs for the lab {name}.", soft_wrap=True, markup=False)
 
 
@@ -77,11 +82,12 @@ def _archive(out: Path, lab: str) -> None:
     pack(out, bundle.files, bundle.executable)
 
 
-def _folder(out: Path, bundle: Bundle, private: bool = False) -> None:
+def _folder(out: Path, made: Callable[[], Bundle], private: bool = False) -> None:
     """Write a bundle into a new folder. private: it has marks of students, which nobody else may read."""
     with folder_for(_CONTENT, out, _OPTION):
         if any(out.iterdir()):
             raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
+        bundle = made()
         if private:
             out.chmod(0o700)
             for name, content in bundle.files.items():

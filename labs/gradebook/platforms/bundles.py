@@ -35,7 +35,7 @@ IMAGE = "collisions-lab-grader"
 """The image that PrairieLearn grades in, unless somebody names another."""
 _FOLDERS = ("labs", "reference", "solutions", "tests/autograder/visible", "tests/autograder/hidden")
 _AT_THE_ROOT = ("constraints.txt", "LICENSE")
-_LEFT_OUT = ("solutions/notebooks/", "labs/figures/", "labs/given/")
+_LEFT_OUT = ("solutions/notebooks/", "labs/notebooks/", "labs/figures/", "labs/given/")
 _MODULES = ("classroom50", "lines", "running", "shapes", "text", "__init__")
 """What Classroom 50 needs of this folder, besides the tree that students get."""
 _READERS = ("__init__", "arrivals", "layouts")

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from labs.assessment.shares import CODE, INPUTS, PREDICTIONS, QUESTIONS, SHARES
+from labs.grading.safe_text import one_line
 
 Content = Mapping[str, Any]
 """Of a `grade.json`."""
@@ -65,10 +66,11 @@ def of_hundred(line: Line, amount: float) -> float:
 def about(content: Content) -> list[Paragraph]:
     """What a student is told of the file as a whole. It says nothing of hidden tests."""
     identity = content.get("identity", {})
-    file = str(identity.get("file") or content.get("submission") or "")
+    file = one_line(str(identity.get("file") or content.get("submission") or ""))
     found = [Paragraph("This file was graded:"), Paragraph(file, verbatim=True)] if file else []
     if "unreadable" in content:
-        return [*found, Paragraph("It could not be graded:"), Paragraph(str(content["unreadable"]), verbatim=True)]
+        why = one_line(str(content["unreadable"]))
+        return [*found, Paragraph("It could not be graded:"), Paragraph(why, verbatim=True)]
     told = [*map(str, content.get("notes", ())), *map(str, content.get("complaints", ()))]
     if told:
         found += [Paragraph("About the file:"), Paragraph("\n".join(told), verbatim=True)]

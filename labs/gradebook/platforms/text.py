@@ -17,6 +17,8 @@ from labs.grading.wrapping import folded
 MOST = 4000
 """Characters of one paragraph."""
 _MARKUP = re.compile(r"([\\`*_{}\[\]()#+!|~$>-])")
+_NUMBER = re.compile(r"^(\d+)([.)])")
+"""What would begin a list."""
 _INDENT = " " * 4
 
 
@@ -27,7 +29,7 @@ def markdown(words: Iterable[Paragraph]) -> str:
 
 def unmarked(words: Iterable[Paragraph]) -> str:
     """Paragraphs as plain text."""
-    return "\n\n".join("\n".join(_kept(each.text) if each.verbatim else folded(each.text, 0)) for each in words)
+    return "\n\n".join("\n".join(_kept(each.text if each.verbatim else one_line(each.text, MOST))) for each in words)
 
 
 def _block(text: str) -> str:
@@ -38,7 +40,7 @@ def _block(text: str) -> str:
 def _sentence(text: str) -> str:
     """Our own words, in which a star is a star."""
     entities = one_line(text, MOST).replace("&", "&amp;").replace("<", "&lt;")
-    return _MARKUP.sub(r"\\\1", entities)
+    return _NUMBER.sub(r"\1\\\2", _MARKUP.sub(r"\\\1", entities))
 
 
 def _kept(text: str) -> list[str]:

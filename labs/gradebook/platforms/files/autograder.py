@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -19,13 +18,10 @@ PROJECT = HERE / "project"
 def main() -> int:
     """Grade the repository in the current folder."""
     repository, lab = Path.cwd(), (HERE / "lab.txt").read_text(encoding="utf-8").strip()
-    with tempfile.TemporaryDirectory(dir=os.environ.get("RUNNER_TEMP") or None) as folder:
-        python = Path(folder, "bin", "python")
-        subprocess.run([sys.executable, "-I", "-m", "venv", folder], cwd=HERE, check=True)
-        needed = ["-c", "constraints.txt", "-r", "requirements.txt"]
-        subprocess.run([python, "-I", "-m", "pip", "install", "--quiet", *needed], cwd=PROJECT, check=True)
-        command = [str(python), "-P", "-m", "labs.gradebook.platforms.classroom50", str(repository), lab]
-        return subprocess.run(command, cwd=PROJECT, env={**os.environ, "PYTHONPATH": str(PROJECT)}).returncode
+    needed = ["-c", "constraints.txt", "-r", "requirements.txt"]
+    subprocess.run([sys.executable, "-I", "-m", "pip", "install", "--quiet", *needed], cwd=PROJECT, check=True)
+    command = [sys.executable, "-P", "-m", "labs.gradebook.platforms.classroom50", str(repository), lab]
+    return subprocess.run(command, cwd=PROJECT, env={**os.environ, "PYTHONPATH": str(PROJECT)}).returncode
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,8 @@ def main() -> int:
     parser.add_argument("--db", help="the gradebook, if it is not gradebook.db in that folder: sqlite:///…")
     parser.add_argument("--marks", type=Path, default=Path(__file__).with_name("marks.json"))
     chosen = parser.parse_args()
+    programs = str(Path(sys.executable).parent)  # nbgrader calls alembic, which lies beside its Python
+    os.environ["PATH"] = os.pathsep.join([programs, os.environ.get("PATH", "")])
     try:
         from nbgrader.api import Gradebook, MissingEntry  # noqa: PLC0415 - this says what is missing
     except ImportError:

@@ -14,14 +14,17 @@ find_python() {
     done
     return 1
 }
-if ! python="$(find_python)"; then
-    apt-get update
-    apt-get install -y python3.12 python3.12-venv || apt-get install -y python3.11 python3.11-venv
-    python="$(find_python)"
-fi
 
 # The environment lies beside the sources: a submission may read its modules, but nothing of the sources.
-"$python" -m venv "$root/python"
+if [ ! -x "$root/python/bin/python" ]; then
+    if ! python="$(find_python)"; then
+        apt-get update
+        apt-get install -y python3.12 python3.12-venv || apt-get install -y python3.11 python3.11-venv
+        python="$(find_python)"
+    fi
+    "$python" -m venv "$root/python"
+fi
 "$root/python/bin/python" -m pip install --no-cache-dir --disable-pip-version-check \
     -c "$project/constraints.txt" -r "$project/requirements.txt"
+"$root/python/bin/python" -m compileall -q "$project"
 chmod -R o= "$root/source"
