@@ -15,8 +15,11 @@ from program import collisions
 
 from labs.benching.timing import benches
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from reference.running.shelf import VARIABLE, default_folder
 
 pytestmark = pytest.mark.slow
+CACHE = default_folder()
+"""The user's own; every test has another."""
 NAME = "impulse.ipynb"
 RAISES = f"def collide(*bodies, **named):\n    raise ValueError({HOSTILE!r})\n"
 
@@ -47,16 +50,23 @@ def forged(released: dict) -> dict:
     return found
 
 
+@pytest.fixture
+def programs(monkeypatch) -> Path:
+    """The folder of nbgrader's programs, in the environment that the bench of grading has made for it."""
+    (environment,) = (each for each in benches()["grading"].environments if each.name == "nbgrader")
+    with monkeypatch.context() as patch:
+        patch.setenv(VARIABLE, str(CACHE))
+        try:
+            return environment.program("nbgrader").parent
+        except ImportError:
+            pytest.skip("nbgrader is not installed: collisions bench grading installs it")
+
+
 class Course:
     """A course of nbgrader in a folder."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        try:
-            (environment,) = (each for each in benches()["grading"].environments if each.name == "nbgrader")
-            self.programs = environment.program("nbgrader").parent
-        except ImportError:
-            pytest.skip("nbgrader is not installed: collisions bench grading installs it")
+    def __init__(self, folder: Path, programs: Path) -> None:
+        self.folder, self.programs = folder, programs
         (folder / "source" / "impulse").mkdir(parents=True)
         (folder / "source" / "impulse" / NAME).write_bytes((STUDENT_NOTEBOOKS / NAME).read_bytes())
         (folder / "nbgrader_config.py").write_text("c = get_config()\nc.ClearSolutions.enabled = False\n")
@@ -85,8 +95,8 @@ class Course:
             return {row["student_id"]: float(row["score"]) for row in csv.DictReader(file)}
 
 
-def test_nbgrader_shows_our_marks_and_comments_and_none_that_a_notebook_forges(tmp_path):
-    course = Course(tmp_path / "course")
+def test_nbgrader_shows_our_marks_and_comments_and_none_that_a_notebook_forges(tmp_path, programs):
+    course = Course(tmp_path / "course", programs)
     course.run("nbgrader", "generate_assignment", "impulse", "--create")
     released = json.loads((course.folder / "release" / "impulse" / NAME).read_text(encoding="utf-8"))
     wrong = solved(released, "normal_velocity")
