@@ -10,6 +10,7 @@ from typing import Any
 from labs.gradebook.platforms.shapes import Check
 from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import as_json, write_private
+from labs.grading.safe_text import one_line
 from reference.errors import CollisionsError
 
 FAILED = 1
@@ -37,6 +38,6 @@ def run(grade: Callable[[], None]) -> int:
     try:
         grade()
     except CollisionsError as error:
-        print(error, file=sys.stderr)
+        print(f"Error: {one_line(str(error))}", file=sys.stderr)
         return FAILED
     return 0

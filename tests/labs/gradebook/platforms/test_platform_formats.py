@@ -201,10 +201,10 @@ def test_a_result_of_the_wrong_shape_is_not_written(tmp_path):
 
 def test_a_grader_that_fails_ends_with_an_exit_code(capsys):
     def fails():
-        raise GraderFailed("no tests")
+        raise GraderFailed("no tests\n::error::a command of the runner")
 
     assert run(fails) == FAILED
-    assert capsys.readouterr().err == "no tests\n"
+    assert capsys.readouterr().err == "Error: no tests ::error::a command of the runner\n"
 
 
 @pytest.mark.parametrize(
