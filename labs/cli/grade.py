@@ -27,7 +27,7 @@ from labs.gradebook.class_grading import (
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.grading import Graded, Task, versions
 from labs.gradebook.mistakes import naming
-from labs.gradebook.mistakes.course_bank import read_bank
+from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
 from labs.gradebook.roster import read_roster
 from labs.gradebook.workers import Workers, here, on_cluster
 from labs.grading.budget import SECONDS
@@ -54,7 +54,7 @@ def grade(
     ] = None,
     bank: Annotated[
         Path, typer.Option(metavar="DIR", help="The course's own bank: mistakes that you have named.")
-    ] = Path("course-bank"),
+    ] = COURSE_BANK,
     release: Annotated[
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",

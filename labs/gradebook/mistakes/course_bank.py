@@ -28,6 +28,8 @@ from labs.grading.judging.grade import write_private
 from labs.grading.safe_text import plain
 from reference.errors import InvalidInput, UnknownName
 
+COURSE_BANK = Path("course-bank")
+"""The folder of the bank unless somebody names another one."""
 _LOCK = ".naming"
 
 
