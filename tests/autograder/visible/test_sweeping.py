@@ -37,6 +37,7 @@ def place(x, y, z):
 )  # fmt: skip
 def test_a_ray_meets_the_sphere_where_it_first_comes_in(submission, part):
     with part(1, "from every side, fast and slow"):
+        expect(submission.ray_sphere, ([-5, 0, 0], [2, 0, 0], 1.0), 2.0)
         expect(submission.ray_sphere, ([5, 4, 2], [-2, -1, 0], 3.0), 2.0)  # at (1, 2, 2)
         expect(submission.ray_sphere, ([3.5, -5.5, -5], [-1, 3, 2], 3.0), 1.5)  # at (2, −1, −2)
         expect(submission.ray_sphere, ([-4, -0.5, 3], [4, -1, -2], 3.0), 0.5)  # at (−2, −1, 2)
@@ -70,9 +71,11 @@ def test_a_ray_meets_the_sphere_where_it_first_comes_in(submission, part):
     " must B be so that A may be a point?",
 )  # fmt: skip
 def test_two_balls_touch_within_the_step_or_not(submission, part, examples):
-    a, b = ([6, 2, 5], [-1, 1, 3], 1.0), ([1, -2, 3], [1, 2, 3], 2.0)  # of the first example above, and on B
+    a = np.array([6.0, 2, 5]), np.array([-1.0, 1, 3]), 1.0
+    b = np.array([1.0, -2, 3]), np.array([1.0, 2, 3]), 2.0
 
     with part(1, "both move, and have different radii"):
+        expect(submission.sweep_sphere_sphere, ([-4, 0, 0], [2, 0, 0], 0.5, [4, 0, 0], [-1, 0, 0], 1.5, 5.0), 2.0)
         expect(submission.sweep_sphere_sphere, (*a, *b, 5.0), 2.0)
         expect(submission.sweep_sphere_sphere, (*b, *a, 5.0), 2.0)
         expect(submission.sweep_sphere_sphere, ([0, 4, 1], [2, 0, -1], 0.25, [4, 4.5, -2], [-2, 1, 1], 2.75, 1.0), 0.5)
@@ -98,7 +101,7 @@ def test_two_balls_touch_within_the_step_or_not(submission, part, examples):
         def same(wind):
             calm = numbers(submission.sweep_sphere_sphere, (*a, *b, 5.0))
             (x, v, r), (y, w, s) = a, b
-            windy = numbers(submission.sweep_sphere_sphere, (x, np.add(v, wind), r, y, np.add(w, wind), s, 5.0))
+            windy = numbers(submission.sweep_sphere_sphere, (x, v + wind, r, y, w + wind, s, 5.0))
             assert abs(windy - calm) < 1e-3, f"the wind {wind} changes the time"
 
         examples.every(lambda draw: (draw.vector(),), same)
@@ -204,6 +207,7 @@ def ray_to(spot, along, time):
 )  # fmt: skip
 def test_a_ray_meets_the_side_of_a_capsule_or_one_of_its_ends(submission, part):
     with part(1, "at the side, from all around, near either end and in the middle"):
+        expect(submission.ray_capsule, ([1, 5, 0], [0, -2, 0], REST, [4, 0, 0], 1.0), 2.0)
         for spot, along in (
             ([3, 0.75, 1], [0.5, -1, -0.5]), ([0.25, -1, 0.75], [-1, 2, -0.5]), ([5.75, -0.75, -1], [2, 1, 0]),
             ([1, 1.25, 0], [0, -1, 3]),
@@ -212,6 +216,7 @@ def test_a_ray_meets_the_side_of_a_capsule_or_one_of_its_ends(submission, part):
                 expect(submission.ray_capsule, (*ray_to(spot, along, time), A, B, 1.25), time)
                 expect(submission.ray_capsule, (*ray_to(spot, along, time), B, A, 1.25), time)
     with part(1, "at the balls around the ends, slanted and along the segment"):
+        expect(submission.ray_capsule, ([-5, 0, 0], [2, 0, 0], REST, [4, 0, 0], 1.0), 2.0)
         for spot, along in (
             ([7, 2, 2], [-1, -1, 0]), ([8, -1, 2], [-2, 1.5, 1]), ([-1, 2, -2], [1.5, -3, 0.5]),
             ([-2, -2, 1], [1, 1, 0]), ([9, 0, 0], [-2, 0, 0]), ([-3, 0, 0], [4, 0, 0]),
@@ -221,7 +226,7 @@ def test_a_ray_meets_the_side_of_a_capsule_or_one_of_its_ends(submission, part):
                 expect(submission.ray_capsule, (*ray_to(spot, along, time), A, B, 3.0), time)
     with part(1, "past the side, past the ends, and away from it"):
         for spot, along in (
-            ([3, 1.5, 0], [0.5, 0, 1]), ([7.25, 1, 0], [0, -1, 0]), ([7, -1, 0.75], [0.25, 1, 0]),
+            ([3, 1.5, 0], [0.5, 0, 1]), ([7.375, 1, 0], [0, -1, 0]), ([7, -1, 0.75], [0.25, 1, 0]),
             ([-1, 1, 0], [-1, -1, 0.5]), ([-2, 0, 0], [0, 1, -1]), ([2, 0, -1.5], [1, 0, 0]),
         ):  # fmt: skip
             expect(submission.ray_capsule, (*ray_to(spot, along, 4), A, B, 1.25), INFINITY)
@@ -257,11 +262,13 @@ N, M = TURN[:, 0].tolist(), TURN[:, 1].tolist()
 )  # fmt: skip
 def test_no_point_moves_faster_along_a_direction_than_the_bound(submission, part):
     with part(1, "without turning, forwards, backwards and sideways"):
+        expect(submission.motion_bound, ([1, 2, 3], REST, 1.5, [0, 0, 1]), 3.0)
         expect(submission.motion_bound, ([4, 2, 1], REST, 1.5, N), 4.0)
         expect(submission.motion_bound, ([-2, -3, 0.5], REST, 1.5, N), -2.0)
         expect(submission.motion_bound, ([1, 2, -2], REST, 1.5, N), 0.0)
         expect(submission.motion_bound, ([4, 2, 1], REST, 1.5, M), 2.0)
     with part(1, "turning across the direction, along it, and both"):
+        expect(submission.motion_bound, (REST, [2, 0, 0], 1.5, [0, 0, 1]), 3.0)
         expect(submission.motion_bound, (REST, way(0, 3, 0), 2.0, N), 6.0)
         expect(submission.motion_bound, (REST, way(0, 3, -4), 2.0, N), 10.0)
         expect(submission.motion_bound, (REST, way(7, 0, 0), 2.0, N), 0.0)
@@ -278,11 +285,13 @@ def test_no_point_moves_faster_along_a_direction_than_the_bound(submission, part
         expect(submission.motion_bound, ([4, 2, 1], [way(0, 3, 0), REST], [2.0, 1.0], [N, M]), [10.0, 2.0])
 
 
-PLATE = np.array([place(x, 0, z) for x in (-9, 9) for z in (-9, 9)])
-"""A square plate; in its own axes y is the height above it."""
+GROUND = np.array([[x, 0.0, z] for x in (-9, 9) for z in (-9, 9)])
+PLATE = CORNER + GROUND @ TURN.T
+"""The same square, turned: in its own axes y is the height above it."""
 TRIPOD = np.array([way(0.5, -1, 0.25), way(-1, 0.5, 0.5), way(1, 1, -2), way(0, 0.75, 1)])
 """Its foot is 1 m below the point about which it turns."""
-ARM = np.array([way(0, 0, 0), way(2, 0, 0), way(1, 0.5, 0)])
+UNTURNED_ARM = np.array([REST, [2, 0, 0], [1, 0.5, 0]])
+ARM = UNTURNED_ARM @ TURN.T
 """It reaches 2 m to the side of the point about which it turns."""
 
 
@@ -293,30 +302,33 @@ ARM = np.array([way(0, 0, 0), way(2, 0, 0), way(1, 0.5, 0)])
 )  # fmt: skip
 def test_the_next_look_comes_when_the_separation_may_be_used_up(submission, part):
     with part(1, "it flies without turning: down onto a plate, along it, and away from it"):
+        expect(submission.advance, (UNTURNED_ARM, [0, 3, 0], [1, -2, 0], REST, GROUND, 5.0, 0.01, 30), (1.5, 2))
         for velocity, dt, found in (
             (way(1, -2, 0.5), 5.0, (1.5, 2)), (way(-1, -0.75, 0), 5.0, (4, 2)), (way(1, -2, 0.5), 1.25, (INFINITY, 1)),
             (way(2, 0.5, 1), 5.0, (INFINITY, 1)), (REST, 5.0, (INFINITY, 1)),
         ):  # fmt: skip
-            expect(submission.advance, (TRIPOD, place(1, 4, -1), velocity, REST, PLATE, dt, 0.01, 50), found)
-        expect(submission.advance, ([[1, 0, 0]], [0, 2, 0], [0, -1, 0], REST, [[1, 0, 0]], 2.0, 0.25, 50), (2, 2))
+            expect(submission.advance, (TRIPOD, place(1, 4, -1), velocity, REST, PLATE, dt, 0.01, 30), found)
+        expect(submission.advance, ([[1, 0, 0]], [0, 2, 0], [0, -1, 0], REST, [[1, 0, 0]], 2.0, 0.25, 30), (2, 2))
     with part(1, "it turns: onto the plate, about the plate's normal, and away from it"):
         # The end of the arm is 1 − 2 sin t above the plate, and moves at 2 m/s at most: looks at 0, 1/2, 1 − sin(1/2).
+        unturned = (UNTURNED_ARM, [0, 1, 0], REST, [0, 0, -1], GROUND, 5.0, 0.01, 30)
+        expect(submission.advance, unturned, (1 - math.sin(0.5), 3))
         arm, down = (ARM, place(1, 1, 2), REST), way(0, 0, -1)
-        expect(submission.advance, (*arm, down, PLATE, 5.0, 0.01, 50), (1 - math.sin(0.5), 3))
-        expect(submission.advance, (*arm, down, PLATE, 0.51, 0.01, 50), (INFINITY, 2))
-        expect(submission.advance, (*arm, 2 * down, PLATE, 5.0, 0.05, 50), (0.25, 2))
-        expect(submission.advance, (*arm, way(0, 3, 0), PLATE, 5.0, 0.01, 50), (INFINITY, 1))
+        expect(submission.advance, (*arm, down, PLATE, 5.0, 0.01, 30), (1 - math.sin(0.5), 3))
+        expect(submission.advance, (*arm, down, PLATE, 0.51, 0.01, 30), (INFINITY, 2))
+        expect(submission.advance, (*arm, 2 * down, PLATE, 5.0, 0.05, 30), (0.25, 2))
+        expect(submission.advance, (*arm, way(0, 3, 0), PLATE, 5.0, 0.01, 30), (INFINITY, 1))
         # The end rises, and the point about which it turns stays 1 m above the plate: looks at 0, 1/2, 1, 3/2.
-        expect(submission.advance, (*arm, -down, PLATE, 1.25, 0.01, 50), (INFINITY, 3))
-        expect(submission.advance, (*arm, -down, PLATE, 1.75, 0.01, 50), (INFINITY, 4))
+        expect(submission.advance, (*arm, -down, PLATE, 1.25, 0.01, 30), (INFINITY, 3))
+        expect(submission.advance, (*arm, -down, PLATE, 1.75, 0.01, 30), (INFINITY, 4))
     with part(1, "it flies and turns"):
         # The end is 4 − t − 2 sin t above the plate: 4 m now, 0.723 m at 4/3, 0.426 m at 1.574, and 0.305 m at 1.716.
         high = (ARM, place(0, 4, 1), way(1, -1, 0.5), way(0, 0, -1), PLATE, 5.0)
-        expect(submission.advance, (*high, 0.5, 50), (1.5742636, 3))
-        expect(submission.advance, (*high, 0.4, 50), (1.7161798, 4))
+        expect(submission.advance, (*high, 0.5, 30), (1.5742636, 3))
+        expect(submission.advance, (*high, 0.4, 30), (1.7161798, 4))
     with part(1, "hulls that touch or overlap now; too few looks"):
         spins, turns = way(0, 3, 0), way(1, 2, 3)
-        expect(submission.advance, (TRIPOD, place(1, 0.5, -1), spins, turns, PLATE, 5.0, 0.01, 50), (0, 1))
+        expect(submission.advance, (TRIPOD, place(1, 0.5, -1), spins, turns, PLATE, 5.0, 0.01, 30), (0, 1))
         expect(submission.advance, (TRIPOD, place(1, 1.2, -1), spins, turns, PLATE, 5.0, 0.25, 1), (0, 1))
         expect(submission.advance, (ARM, place(1, 1, 2), REST, way(0, 0, -1), PLATE, 5.0, 0.01, 2), (math.nan, 2))
         enough = (ARM, place(1, 1, 2), REST, way(0, 0, -1), PLATE, 5.0, 0.01, 3)
@@ -324,13 +336,13 @@ def test_the_next_look_comes_when_the_separation_may_be_used_up(submission, part
     with part(1, "past a point, a step of no length, and exactly the tolerance"):
         # A point flies past a point: as seen along the first direction it arrives when it has long passed.
         past = ([REST], place(-3, 0, 1), way(2, 0, 0), REST, [CORNER])
-        expect(submission.advance, (*past, 9.0, 0.01, 50), (INFINITY, 2))
-        expect(submission.advance, (*past, 0.0, 0.01, 50), (INFINITY, 1))
-        expect(submission.advance, ([REST], [0, 2.25, 0], [0, -1, 0], REST, [[0, 2, 0]], 1.0, 0.25, 50), (0, 1))
+        expect(submission.advance, (*past, 9.0, 0.01, 30), (INFINITY, 2))
+        expect(submission.advance, (*past, 0.0, 0.01, 30), (INFINITY, 1))
+        expect(submission.advance, ([REST], [0, 2.25, 0], [0, -1, 0], REST, [[0, 2, 0]], 1.0, 0.25, 30), (0, 1))
 
 
-@asks("sweep_sphere_sphere", 1, "Two balls that meet are turned aside, however fast they are, and no pair is missed.")
-def test_no_two_fast_balls_pass_through_each_other(submission, part):
+@asks("sweep_sphere_sphere", 1, "Two fast balls that meet are turned aside, at the instant at which they touch.")
+def test_two_fast_balls_do_not_pass_through_each_other(submission, part):
     code = with_solutions(submission, "sweeping")
-    with part(1, "two marbles at 40 m/s, at all offsets"):
+    with part(1, "two marbles at 40 m/s"):
         compared_with_theory(code, "passing-balls", ("v=40",), ("passed", "exchanged"))

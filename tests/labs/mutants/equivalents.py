@@ -438,7 +438,13 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: ("size for it: np.vecdot(n, v) + turning → np.vecdot(n, v) + np.abs(turning)",),
     },
     "advance": {
-        NOT_NEGATIVE: ("size for it: …",),
+        NOT_NEGATIVE: (
+            "size for it: most + 1 → np.abs(most) + 1",
+            "size for it: time + float(separation / closing) → …",
+            "size for it: (time, used) → …",
+            "size for it: (np.inf, used) → …",
+            "size for it: (np.nan, most) → …",
+        ),
         "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
     },
 }
