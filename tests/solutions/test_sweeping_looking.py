@@ -44,3 +44,45 @@ def test_looks_are_counted_and_run_out() -> None:
 def test_hulls_that_overlap_touch_now() -> None:
     crossing = np.array([[0.1, -1.0, 0.0], [0.1, 1.0, -0.1], [0.2, 1.0, 0.3]])
     assert advance(ROD, PLACE, (5.0, 0.0, 0.0), PLACE, crossing, 1.0, 1e-6, 3) == (0.0, 1)
+
+
+def test_a_short_way_past_small_balls_is_longer_than_every_chord() -> None:
+    assert missed_share(0.5, 0.05, 0.05, 1.0) == pytest.approx(1 - 4 * 0.1 / (3 * 0.5))
+
+
+@pytest.mark.parametrize("place", range(4))
+@pytest.mark.parametrize("wrong", [-1.0, np.inf, np.nan])
+def test_a_speed_radius_or_time_that_is_none_has_no_share(place: int, wrong: float) -> None:
+    given = [1.0, 0.1, 0.1, 0.1]
+    given[place] = wrong
+    with pytest.raises(ValueError, match="must be"):
+        missed_share(*given)
+
+
+def test_what_is_exactly_the_tolerance_apart_touches_also_at_the_very_end() -> None:
+    point, falls = np.zeros((1, 3)), (0.0, -0.5, 0.0)
+    assert advance(point, (0.0, 2.25, 0.0), falls, PLACE, [[0.0, 2.0, 0.0]], 1.0, 0.25, 9) == (0.0, 1)
+    assert advance(point, (0.0, 1.0, 0.0), falls, PLACE, point, 2.0, 0.25, 9) == (2.0, 2)
+    assert advance(point, (0.0, 1.0, 0.0), falls, PLACE, point, 1.999, 0.25, 9) == (np.inf, 1)
+
+
+@pytest.mark.parametrize(
+    ("place", "wrong", "words"),
+    [
+        (0, np.zeros((2, 3, 3)), "points_a must have the shape"),
+        (0, np.zeros((0, 3)), "points_a must have shape"),
+        (1, (0.0, np.nan, 0.0), "position_a must be finite"),
+        (2, np.zeros((4, 3)), "velocity_a must have the shape"),
+        (5, -1.0, "dt must be zero or positive"),
+        (5, np.inf, "dt must be finite"),
+        (6, 0.0, "tolerance must be positive"),
+        (7, 0, "looks must be positive"),
+        (7, 2.5, "looks must be a whole number"),
+        (7, np.inf, "looks must be finite"),
+    ],
+)
+def test_advance_refuses_what_is_no_pair_of_hulls_or_no_step(place: int, wrong: object, words: str) -> None:
+    given = [ROD, PLACE, (0.2, 0.1, 0.0), (0.0, 0.0, 3.0), WEDGE, 1.0, 1e-6, 500]
+    given[place] = wrong
+    with pytest.raises(ValueError, match=words):
+        advance(*given)  # type: ignore[arg-type]

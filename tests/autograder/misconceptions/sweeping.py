@@ -151,8 +151,8 @@ BANK = (
       "A sphere behind the ray is met at a negative time. A ray has a start, and a line has none.",
       "Let the ray fly away from the sphere. When will it meet the sphere?"),
     M("ray_sphere", "x·u for 2 x·u", met(double_b),
-      "The formula with b² − 4ac and 2a belongs to the equation a t² + b t + c = 0. Here b is 2 x·u, and you have put"
-      " in x·u.",
+      "The formula with b² − 4ac and 2a belongs to the equation a t² + b t + c = 0. Your b is not the number that"
+      " stands before t in the equation of the ray.",
       "Multiply out (x + u t)·(x + u t). Which number stands before t?"),
     M("ray_sphere", "direction of length 1", met(terms=unit_direction),
       "The result is right only for a direction of length 1. The direction may have any length: twice as fast, and the"

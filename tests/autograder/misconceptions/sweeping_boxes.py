@@ -186,10 +186,11 @@ def end_for_way(x, u, a, b, r):
 # fmt: off
 BANK = (
     M("ray_box", "0/0 on a face", box(divided, in_order_all),
-      "A ray that glides along a face divides zero by zero there, and the NaN goes through all that follows.",
+      "A ray that glides along a face divides zero by zero there. The result is NaN, every comparison with it fails,"
+      " and the ray seems to miss.",
       "A ray has no part across a face and starts on it. When is it between this face and the opposite one?"),
     M("ray_box", "along an axis is a miss", box(all_must_move),
-      "A ray that does not move along every axis is said to miss.",
+      "A ray that has no part along one of the axes is said to miss the box.",
       "Let the ray fly along x, straight at the box. What do the slabs of y and z say of it?"),
     M("ray_box", "along an axis is inside", box(still_is_fine),
       "A slab across which the ray does not move is left out, wherever the ray is. So a ray beside the box meets it.",
@@ -198,10 +199,12 @@ BANK = (
       "The ray is said to be in the box as soon as it is in one of the slabs, and as long as it is in any.",
       "A slab goes on for ever. In how many of the three slabs is a point in the box?"),
     M("ray_box", "first entry", box(enters=first_in),
-      "The entry is that into the first slab. In the box is only what is in all three slabs.",
+      "The entry is the time at which the ray enters its first slab. Only a point that is in all three slabs is in the"
+      " box.",
       "A ray is in the slab of x since 1 s and in that of y since 2 s. Since when is it in both?"),
     M("ray_box", "last exit", box(leaves=last_out),
-      "The exit is that out of the last slab. The ray is out of the box as soon as it is out of one of them.",
+      "The exit is the time at which the ray leaves its last slab. The ray is out of the box as soon as it is out of"
+      " one slab.",
       "A ray leaves the slab of x at 3 s and that of y at 4 s. Until when is it in both?"),
     M("ray_box", "faces in a fixed order", box(sort=lambda x, u, h, low, high: (low, high)),
       "The low face is taken for the entry and the high face for the exit. That is so only for a ray that flies along"
@@ -256,10 +259,10 @@ BANK = (
       "What does the description say of a ray that grazes a corner?"),
 
     M("ray_capsule", "ends left out", capsule(first=False, second=False),
-      "Only the side is asked for. Around each end there is half a ball as well.",
+      "Only the side is tested. Around each end there is half a ball as well.",
       "Fly along the segment, straight at one of its ends. What do you meet?"),
     M("ray_capsule", "side left out", capsule(side=None),
-      "Only the balls around the two ends are asked for. Between them is a cylinder.",
+      "Only the balls around the two ends are tested. Between them is a cylinder.",
       "Fly at the middle of a long capsule. What do you meet?"),
     M("ray_capsule", "endless cylinder", capsule(counts=lambda whole, place, rate, time, r: time <= np.inf),
       "The cylinder has no end: the ray meets it also beyond the ends of the segment.",
@@ -279,7 +282,7 @@ BANK = (
       "Between which two planes is the nearest point of the segment not one of its ends?"),
     M("ray_capsule", "place at the start",
       capsule(counts=lambda whole, place, rate, time, r: between(whole, place + 0 * rate, 0 * rate, time, r)),
-      "It is asked whether the ray starts between the ends. What matters is where it is when it meets the side.",
+      "The function asks whether the ray starts between the ends. What matters is where it is when it meets the side.",
       "A ray flies along the segment and comes nearer to it slowly. Where is it when it meets the side?"),
     M("ray_capsule", "metres for a share",
       capsule(counts=lambda whole, place, rate, time, r: between(1 + 0 * whole, place, rate, time, r)),
@@ -301,7 +304,7 @@ BANK = (
       " along the segment brings it no nearer.",
       "Look along the segment. How fast do you see the ray move?"),
     M("ray_capsule", "nearest ball", nearest_ball,
-      "One ball is asked for, around the point of the segment that is nearest to the start. While the ray flies,"
+      "Only one ball is tested, around the point of the segment that is nearest to the start. While the ray flies,"
       " another point becomes the nearest one.",
       "A ray starts beside one end and flies at the other one. Which ball does it meet?"),
     M("ray_capsule", "last of the three times", last_of_three,

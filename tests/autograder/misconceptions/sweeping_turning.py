@@ -195,7 +195,7 @@ BANK = (
       "How many collisions are missed if the looks follow each other at once?"),
     M("missed_share", "line for disk", share(evenly_on_a_line),
       "The offsets are spread evenly along a line from the middle to the rim. In space a large offset is more frequent:"
-      " a ring of the disk has the larger an area, the larger it is.",
+      " the farther out a ring of the disk is, the larger is its area.",
       "How large is the area between the offsets b and b + db?"),
     M("missed_share", "chords of half the length", share(half_chords),
       "Every chord is half as long as it should be. Either it ends at its middle, or the disk has half the radius. As"
@@ -266,12 +266,12 @@ BANK = (
       "What is the sum of the components of (3, −3, 0), and how long is it?"),
 
     M("advance", "turning left out of the bound", loop(speed=bound(turns=lambda w, n: 0 * turning(w, n))),
-      "The bound has no turning in it. The end of a rod that spins comes sooner than that, and the next look is too"
-      " late.",
+      "The bound has no turning in it. The end of a rod that spins comes sooner than this bound allows, and the next"
+      " look is too late.",
       "A rod spins on the spot beside a wall. How fast can its end come nearer to the wall?"),
     M("advance", "looks along the wrong direction", loop(direction=lambda n: n),
-      "The bound is that along the normal from B to A: how fast A goes away. A that comes nearer then seems to be no"
-      " danger.",
+      "The bound is taken along the normal from B to A, and so it says how fast A goes away. An A that comes nearer"
+      " seems to be no danger.",
       "Which way does the normal point? Which way would A have to move to touch B?"),
     M("advance", "first direction kept", loop(direction=first_direction),
       "The direction is found once, before the loop. When A has moved on, the hulls are apart along another direction.",

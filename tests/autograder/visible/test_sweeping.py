@@ -302,33 +302,33 @@ ARM = UNTURNED_ARM @ TURN.T
 )  # fmt: skip
 def test_the_next_look_comes_when_the_separation_may_be_used_up(submission, part):
     with part(1, "it flies without turning: down onto a plate, along it, and away from it"):
-        expect(submission.advance, (UNTURNED_ARM, [0, 3, 0], [1, -2, 0], REST, GROUND, 5.0, 0.01, 30), (1.5, 2))
+        expect(submission.advance, (UNTURNED_ARM, [0, 3, 0], [1, -2, 0], REST, GROUND, 5.0, 0.01, 12), (1.5, 2))
         for velocity, dt, found in (
             (way(1, -2, 0.5), 5.0, (1.5, 2)), (way(-1, -0.75, 0), 5.0, (4, 2)), (way(1, -2, 0.5), 1.25, (INFINITY, 1)),
             (way(2, 0.5, 1), 5.0, (INFINITY, 1)), (REST, 5.0, (INFINITY, 1)),
         ):  # fmt: skip
-            expect(submission.advance, (TRIPOD, place(1, 4, -1), velocity, REST, PLATE, dt, 0.01, 30), found)
-        expect(submission.advance, ([[1, 0, 0]], [0, 2, 0], [0, -1, 0], REST, [[1, 0, 0]], 2.0, 0.25, 30), (2, 2))
+            expect(submission.advance, (TRIPOD, place(1, 4, -1), velocity, REST, PLATE, dt, 0.01, 12), found)
+        expect(submission.advance, ([[1, 0, 0]], [0, 2, 0], [0, -1, 0], REST, [[1, 0, 0]], 2.0, 0.25, 12), (2, 2))
     with part(1, "it turns: onto the plate, about the plate's normal, and away from it"):
         # The end of the arm is 1 − 2 sin t above the plate, and moves at 2 m/s at most: looks at 0, 1/2, 1 − sin(1/2).
-        unturned = (UNTURNED_ARM, [0, 1, 0], REST, [0, 0, -1], GROUND, 5.0, 0.01, 30)
+        unturned = (UNTURNED_ARM, [0, 1, 0], REST, [0, 0, -1], GROUND, 5.0, 0.01, 12)
         expect(submission.advance, unturned, (1 - math.sin(0.5), 3))
         arm, down = (ARM, place(1, 1, 2), REST), way(0, 0, -1)
-        expect(submission.advance, (*arm, down, PLATE, 5.0, 0.01, 30), (1 - math.sin(0.5), 3))
-        expect(submission.advance, (*arm, down, PLATE, 0.51, 0.01, 30), (INFINITY, 2))
-        expect(submission.advance, (*arm, 2 * down, PLATE, 5.0, 0.05, 30), (0.25, 2))
-        expect(submission.advance, (*arm, way(0, 3, 0), PLATE, 5.0, 0.01, 30), (INFINITY, 1))
+        expect(submission.advance, (*arm, down, PLATE, 5.0, 0.01, 12), (1 - math.sin(0.5), 3))
+        expect(submission.advance, (*arm, down, PLATE, 0.51, 0.01, 12), (INFINITY, 2))
+        expect(submission.advance, (*arm, 2 * down, PLATE, 5.0, 0.05, 12), (0.25, 2))
+        expect(submission.advance, (*arm, way(0, 3, 0), PLATE, 5.0, 0.01, 12), (INFINITY, 1))
         # The end rises, and the point about which it turns stays 1 m above the plate: looks at 0, 1/2, 1, 3/2.
-        expect(submission.advance, (*arm, -down, PLATE, 1.25, 0.01, 30), (INFINITY, 3))
-        expect(submission.advance, (*arm, -down, PLATE, 1.75, 0.01, 30), (INFINITY, 4))
+        expect(submission.advance, (*arm, -down, PLATE, 1.25, 0.01, 12), (INFINITY, 3))
+        expect(submission.advance, (*arm, -down, PLATE, 1.75, 0.01, 12), (INFINITY, 4))
     with part(1, "it flies and turns"):
         # The end is 4 − t − 2 sin t above the plate: 4 m now, 0.723 m at 4/3, 0.426 m at 1.574, and 0.305 m at 1.716.
         high = (ARM, place(0, 4, 1), way(1, -1, 0.5), way(0, 0, -1), PLATE, 5.0)
-        expect(submission.advance, (*high, 0.5, 30), (1.5742636, 3))
-        expect(submission.advance, (*high, 0.4, 30), (1.7161798, 4))
+        expect(submission.advance, (*high, 0.5, 12), (1.5742636, 3))
+        expect(submission.advance, (*high, 0.4, 12), (1.7161798, 4))
     with part(1, "hulls that touch or overlap now; too few looks"):
         spins, turns = way(0, 3, 0), way(1, 2, 3)
-        expect(submission.advance, (TRIPOD, place(1, 0.5, -1), spins, turns, PLATE, 5.0, 0.01, 30), (0, 1))
+        expect(submission.advance, (TRIPOD, place(1, 0.5, -1), spins, turns, PLATE, 5.0, 0.01, 12), (0, 1))
         expect(submission.advance, (TRIPOD, place(1, 1.2, -1), spins, turns, PLATE, 5.0, 0.25, 1), (0, 1))
         expect(submission.advance, (ARM, place(1, 1, 2), REST, way(0, 0, -1), PLATE, 5.0, 0.01, 2), (math.nan, 2))
         enough = (ARM, place(1, 1, 2), REST, way(0, 0, -1), PLATE, 5.0, 0.01, 3)
@@ -336,9 +336,9 @@ def test_the_next_look_comes_when_the_separation_may_be_used_up(submission, part
     with part(1, "past a point, a step of no length, and exactly the tolerance"):
         # A point flies past a point: as seen along the first direction it arrives when it has long passed.
         past = ([REST], place(-3, 0, 1), way(2, 0, 0), REST, [CORNER])
-        expect(submission.advance, (*past, 9.0, 0.01, 30), (INFINITY, 2))
-        expect(submission.advance, (*past, 0.0, 0.01, 30), (INFINITY, 1))
-        expect(submission.advance, ([REST], [0, 2.25, 0], [0, -1, 0], REST, [[0, 2, 0]], 1.0, 0.25, 30), (0, 1))
+        expect(submission.advance, (*past, 9.0, 0.01, 12), (INFINITY, 2))
+        expect(submission.advance, (*past, 0.0, 0.01, 12), (INFINITY, 1))
+        expect(submission.advance, ([REST], [0, 2.25, 0], [0, -1, 0], REST, [[0, 2, 0]], 1.0, 0.25, 12), (0, 1))
 
 
 @asks("sweep_sphere_sphere", 1, "Two fast balls that meet are turned aside, at the instant at which they touch.")
