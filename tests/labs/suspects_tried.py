@@ -17,6 +17,9 @@ BANK_ENTRY = {
     ("polyhedra", "crates"): "convex_separation/nearest plane",
     ("polyhedra", "statue"): "winding_number/unsigned angles, cut at one",
     ("polyhedra", "garden"): "inside_by_parity/border left out",
+    ("sweeping", "zone"): "ray_sphere/exit from within",
+    ("sweeping", "viewer"): "ray_box/along an axis is inside",
+    ("sweeping", "pipes"): "ray_capsule/ends left out",
 }
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
