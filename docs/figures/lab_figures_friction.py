@@ -60,9 +60,9 @@ def cones(figure: Figure) -> None:
     """Three shapes of the friction that a floor can give.
 
     Three drawings side by side: a circle of radius μN, a diamond with its corners on the axes at μN, and a square whose
-    sides cross the axes at μN. In each the same velocity v points 30° above the x axis, and an arrow F_k shows friction.
-    On the circle it is straight against v; on the diamond it points to the left corner, along the x axis; on the square
-    to the lower left corner.
+    sides cross the axes at μN. In each the same velocity v points 30° above the x axis, and an arrow F_k shows
+    friction. On the circle it is straight against v; on the diamond it points to the left corner, along the x axis; on
+    the square to the lower left corner.
     """
     figure.set_figheight(2.1)
     angle = np.radians(30)

@@ -57,7 +57,8 @@ def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
 def test_a_result_of_several_things_has_a_name_for_each():
     scales = exposures.suspect("friction", "scales")
     said = exposures.tried(scales, EXPOSING["friction", "scales"], right("support_force")).said
-    assert "normal force=" in said and "along=(" in said
+    assert "normal force=" in said
+    assert "along=(" in said
 
 
 @pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
