@@ -305,7 +305,7 @@ def test_the_next_look_comes_when_the_separation_may_be_used_up(submission, part
         expect(submission.advance, (UNTURNED_ARM, [0, 3, 0], [1, -2, 0], REST, GROUND, 5.0, 0.01, 12), (1.5, 2))
         for velocity, dt, found in (
             (way(1, -2, 0.5), 5.0, (1.5, 2)), (way(-1, -0.75, 0), 5.0, (4, 2)), (way(1, -2, 0.5), 1.25, (INFINITY, 1)),
-            (way(2, 0.5, 1), 5.0, (INFINITY, 1)), (REST, 5.0, (INFINITY, 1)),
+            (way(2, 0, 1), 5.0, (INFINITY, 1)), (way(2, 0.5, 1), 5.0, (INFINITY, 1)), (REST, 5.0, (INFINITY, 1)),
         ):  # fmt: skip
             expect(submission.advance, (TRIPOD, place(1, 4, -1), velocity, REST, PLATE, dt, 0.01, 12), found)
         expect(submission.advance, ([[1, 0, 0]], [0, 2, 0], [0, -1, 0], REST, [[1, 0, 0]], 2.0, 0.25, 12), (2, 2))
