@@ -202,7 +202,7 @@ class Lab(Guiding, Predicting, Questions):
                     each = replace(request, scenario=scenario.partition("/")[0], at=at)
                 cases.append(case_runs.run_case(each, self._student_code()))
                 progress.done(len(cases), len(values), f"{parameter} {value:g}")
-        guesses = ", ".join(each.with_unit for each in predictions)
+        guesses = ", ".join(each.with_unit for each in predictions if not each.verdict())
         found = sweeps.Sweep(parameter, tuple(values), tuple(cases), quantity, guesses)
         _display(sweep_picture.picture(found), found.table)
         sweeps.slide(found)

@@ -27,14 +27,15 @@ These are some 1e-15 and 1e15.
 
 
 def length_of(vector: ArrayLike) -> Array:
-    """The length of vectors (..., d), as precise for 1e-300 and 1e300 as for 1."""
+    """Length of vectors (..., d), as precise for 1e-300 and 1e300 as for 1."""
     v = np.asarray(vector, dtype=float)
     with np.errstate(over="ignore"):
         length = np.asarray(np.linalg.norm(v, axis=-1))
     if not moderate(length):
         extreme = _extreme(length, v)
         unit = power_of_two(_largest(v[extreme]))
-        length[extreme] = unit * np.linalg.norm(v[extreme] / unit[:, None], axis=-1)
+        scaled = v[extreme] / unit[:, None]
+        length[extreme] = unit * np.linalg.norm(scaled, axis=-1)
     return length
 
 

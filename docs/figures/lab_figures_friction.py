@@ -60,10 +60,11 @@ def cones(figure: Figure) -> None:
     """Three shapes of the friction that a floor can give.
 
     Three drawings side by side: a circle of radius μN, a diamond with its corners on the axes at μN, and a square whose
-    sides cross the axes at μN. In each the same velocity v points 30° above the x axis, and an arrow shows friction. On
-    the circle it is straight against v; on the diamond it points to the left corner; on the square to the lower left
-    corner.
+    sides cross the axes at μN. In each the same velocity v points 30° above the x axis, and an arrow F_k shows
+    friction. On the circle it is straight against v; on the diamond it points to the left corner, along the x axis; on
+    the square to the lower left corner.
     """
+    figure.set_figheight(2.1)
     angle = np.radians(30)
     v = np.array([np.cos(angle), np.sin(angle)])
     shapes = (
@@ -79,7 +80,7 @@ def cones(figure: Figure) -> None:
         axes.plot([-1.3, 1.3], [0, 0], ":", color=GREY, lw=1)
         axes.plot([0, 0], [-1.3, 1.3], ":", color=GREY, lw=1)
         _arrow(axes, (0, 0), 1.45 * v, BLUE, "$v$", beside=(6, 5))
-        _arrow(axes, (0, 0), friction, ORANGE)
+        _arrow(axes, (0, 0), friction, ORANGE, "$F_k$", at=0.55, beside=(9, -9) if friction[1] else (0, 9))
         axes.annotate(name, (0, -1.5), ha="center", color=INK)
 
 

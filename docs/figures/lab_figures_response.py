@@ -123,9 +123,9 @@ def clamp(figure: Figure) -> None:
 def flip(figure: Figure) -> None:
     """At the limit the ball jumps from one side of its place of rest to the other, step by step.
 
-    Displacement over steps. A dotted line marks the place of rest. Dots lie at x and −x in turn, joined by a dashed
-    zigzag of constant size, with the velocities v and −v drawn as arrows. Crosses show a longer step: their zigzag
-    grows.
+    Displacement over steps. A dotted line marks the place of rest. Dots lie at x and −x in turn, joined by a solid
+    zigzag of constant size, with the velocities v and −v drawn as arrows. Crosses show a longer step: their dashed
+    zigzag grows.
     """
     axes = figure.add_subplot()
     steps = np.arange(7)
@@ -139,7 +139,7 @@ def flip(figure: Figure) -> None:
     axes.annotate("$v$", (-0.13, 1.55), ha="right", size=12)
     axes.annotate("$-v$", (0.87, -1.6), ha="right", va="center", size=12)
     axes.annotate("$x$", (-0.13, 0.93), color=BLUE, ha="right", size=12)
-    axes.annotate("$-x$", (0.87, -1.0), color=BLUE, ha="right", va="center", size=12)
+    axes.annotate("$-x$", (1.16, -1.3), color=BLUE, va="center", size=12)
     axes.annotate("a longer step", (4.15, 2.5), color=ORANGE)
     axes.annotate("at the limit", (6.12, 1.0), color=BLUE, va="center")
     axes.annotate("place of rest", (6.12, 0.1), color=GREY)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.submission.cells import read_cells
 from labs.grading.submission.magics import without_magics
 from reference import lecture
@@ -75,10 +76,11 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         If it is no single case, or one of the two functions refuses it: then it says nothing about the mistake.
     """
     _check_size(arguments)
+    given_to_both = [_as_checks_give(each) for each in arguments]
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
-            needed = right(*arguments)
+            needed = right(*given_to_both)
             single = {np.shape(part) for part in (needed if isinstance(needed, tuple) else (needed,))}
             answer = _flat(needed)
         except NotImplementedError:
@@ -89,14 +91,16 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         if single != wrong.shapes:
             raise InvalidInput("the input has to be one case: your colleague's function takes no more at once")
         try:
-            given = _flat(wrong.wrong(*arguments))
+            theirs = wrong.wrong(*given_to_both)
+            given = _flat(theirs)
         except Exception as error:
             raise InvalidInput(
                 f"your colleague's function ends in {type(error).__name__}: take another input"
             ) from None
     if given.shape == answer.shape and np.allclose(given, answer, rtol=NEAR, atol=NEAR, equal_nan=True):
-        return Exposure(False, f"Both give {_shown(answer)}")
-    return Exposure(True, f"{wrong.function} gives {_shown(answer)}, and your colleague's {_shown(given)}")
+        return Exposure(False, f"Both give {_shown(needed, needed, wrong.function)}")
+    yours, colleagues = _shown(needed, needed, wrong.function), _shown(theirs, needed, wrong.function)
+    return Exposure(True, f"{wrong.function} gives {yours}, and your colleague's {colleagues}")
 
 
 def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:
@@ -151,12 +155,32 @@ def _count(value: Any) -> int:
     return sum(map(_count, value)) if isinstance(value, list | tuple) else 1
 
 
+def _as_checks_give(value: Any) -> Any:
+    """An input as the checks of a lab give it: a list as an array, unless its parts differ in shape."""
+    if not isinstance(value, list | tuple):
+        return value
+    with contextlib.suppress(ValueError):  # as of a body, with its velocity and its mass
+        return np.array(value)
+    return value
+
+
 def _flat(answer: Any) -> np.ndarray[Any, Any]:
     """An answer's numbers in a row; a tuple is read as its parts one after another."""
-    parts = answer if isinstance(answer, tuple) else (answer,)
-    return np.concatenate([np.ravel(np.asarray(part, dtype=float)) for part in parts])
+    return np.concatenate([np.ravel(np.asarray(part, dtype=float)) for part in _parts(answer)])
 
 
-def _shown(answer: np.ndarray[Any, Any]) -> str:
-    numbers = [f"{value + 0.0:.4g}".replace("-", "−") for value in np.round(answer, 12)]
-    return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
+def _parts(answer: Any) -> tuple[Any, ...]:
+    return answer if isinstance(answer, tuple) else (answer,)
+
+
+def _shown(answer: Any, needed: Any, function: str) -> str:
+    """An answer in words; of several things each has its name. needed: the right answer, which may be yes or no."""
+    yes_or_no = all(np.asarray(part).dtype == bool for part in _parts(needed))
+    return labelled([_in_words(_flat(part), yes_or_no) for part in _parts(answer)], output_names(function))
+
+
+def _in_words(numbers: np.ndarray[Any, Any], yes_or_no: bool) -> str:
+    if yes_or_no and np.isin(numbers, (0, 1)).all():
+        return ", ".join(map(str, numbers.astype(bool).tolist()))
+    words = [f"{value + 0.0:.4g}".replace("-", "−") for value in np.round(numbers, 12)]
+    return words[0] if len(words) == 1 else f"({', '.join(words)})"

@@ -12,12 +12,12 @@ import re
 import shutil
 import tempfile
 import textwrap
-import zipfile
 import zlib
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from labs.building import lessons, notebooks
+from labs.building.archives import files_below, pack
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of, without_notes
 from labs.building.guidance_gaps import figures_named
 from labs.building.release_readme import readme
@@ -32,7 +32,7 @@ _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
 _LEFT_OUT = (
     "labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py", "labs/gradebook",
-    "labs/cli/grade.py",
+    "labs/cli/grade.py", "labs/cli/export.py",
 )  # fmt: skip
 """Code that makes notebooks and grades classes, and files that hold model answers. Notebooks and given functions are
 made per release."""
@@ -56,8 +56,6 @@ _STATEMENTS = "reference/lecture/statements.py"
 _ANSWER = re.compile(r"""(right|erratum)=(?:"[^"]*"\s*)+""")
 """What a slide should say, and what is wrong with it, in the file of the statements."""
 _CONTENT, _OPTION = "the release", "--out"
-_DATE = (1980, 1, 1, 0, 0, 0)
-"""The date of all files in an archive, so that the same release makes the same bytes on every day."""
 
 
 def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> list[str]:
@@ -87,7 +85,7 @@ def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> 
         check_file(_CONTENT, out, _OPTION)
         with tempfile.TemporaryDirectory() as folder:
             _write(Path(folder, NAME), open_labs, closed, out.name)
-            _pack(Path(folder), out)
+            pack(out, files_below(Path(folder)))
     else:
         with folder_for(_CONTENT, out, _OPTION):
             if any(out.iterdir()):
@@ -222,15 +220,3 @@ def _text(every: TopicExcerpts, title: str, names: Collection[str]) -> str:
     excerpts = every.needed(names)
     head = f'"""{title}: given."""\n\nfrom __future__ import annotations\n\n'
     return f"{head}{imports_of(excerpts)}\n\n{without_notes(text_of(excerpts))}\n"
-
-
-def _pack(folder: Path, out: Path) -> None:
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in sorted(_files(folder)):
-            entry = zipfile.ZipInfo(path.relative_to(folder).as_posix(), _DATE)
-            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
-            archive.writestr(entry, path.read_bytes())
-
-
-def _files(folder: Path) -> Iterator[Path]:
-    return (path for path in folder.rglob("*") if path.is_file())

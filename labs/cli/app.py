@@ -20,11 +20,11 @@ from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
 INTERRUPTED = 130
-COMMANDS = ("check", "grade", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
+COMMANDS = ("check", "grade", "export", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
 """Each is a function of the same name in a module of the same name."""
 GROUPS = ("lab",)
 """Modules with several commands in their `app`."""
-FOR_INSTRUCTORS = ("grade", "lab")
+FOR_INSTRUCTORS = ("grade", "export", "lab")
 """What a student's tree lacks: there is nothing to build from, and no hidden test."""
 
 

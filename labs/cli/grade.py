@@ -13,16 +13,28 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from labs.cli.console import errors, output
 from labs.gradebook import written
 from labs.gradebook.book import STUDENTS, Book, Failures, run
-from labs.gradebook.class_grading import Class, Marker, answers, marks, read_class, tasks, write_pages, write_tables
+from labs.gradebook.class_grading import (
+    Class,
+    Marker,
+    answers,
+    marks,
+    read_class,
+    shared_mistakes,
+    tasks,
+    write_pages,
+    write_tables,
+)
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.grading import Graded, Task, versions
+from labs.gradebook.mistakes import naming
+from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
 from labs.gradebook.roster import read_roster
 from labs.gradebook.workers import Workers, here, on_cluster
 from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
 from reference import lecture
 from reference.errors import InvalidInput
-from reference.writable import folder_for
+from reference.writable import folder_for, refused_in_words
 
 FAILED = 1
 
@@ -40,10 +52,17 @@ def grade(
     rules: Annotated[
         Path | None, typer.Option(metavar="TOML", help="Deadlines, and what a late submission loses.")
     ] = None,
+    bank: Annotated[
+        Path, typer.Option(metavar="DIR", help="The course's own bank: mistakes that you have named.")
+    ] = COURSE_BANK,
     release: Annotated[
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
     seconds: Annotated[float, typer.Option(metavar="S", help="How long each submission may take.")] = SECONDS,
+    runs: Annotated[
+        bool,
+        typer.Option(help="Also run everybody's functions in the scenarios of the lab, beside the recorded engines."),
+    ] = True,
     workers: Annotated[
         int | None, typer.Option("--jobs", "-j", min=1, help="Submissions at a time; by default one per processor.")
     ] = None,
@@ -60,45 +79,54 @@ def grade(
     found = read_class(folder, topic, read_roster(roster) if roster else None)
     deadlines = read_deadlines(rules) if rules else Deadlines()
     failures, book = Failures(), Book(out)
+    read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
     machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
     with machines as graders, folder_for("the grades", out, "--out"), book.alone():
         gone = book.withdraw_others(found.handed, topic)
-        _grade_all(book, found, release, seconds, graders, failures)
+        _grade_all(book, found, tasks(found, release, seconds, runs), graders, failures)
         written.write_questions(out, topic, answers(found, book))
         asked, place = written.questions(topic), out / written.FOLDER
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
-        marker = Marker(book, deadlines, failures, written.Codes(out), asked, first)
+        with refused_in_words("the course's bank", bank, "--bank"):
+            names, waiting, notes = naming.name_filled_in(out, read_bank(bank))
+        marker = Marker(book, deadlines, failures, written.Codes(out), asked, first, names)
         every = marks(found, marker)
-        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker)
+        shared = shared_mistakes(every, marker, waiting)
+        naming.write_waiting(out, shared, waiting, names)
+        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker, shared)
     graded = sum(mark.content is not None for mark in every)
-    output.print(f"{graded} submissions are graded, {len(failures.said)} could not be graded.", markup=False)
+    _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
     for student in gone:
-        output.print(
-            f"The grade of {one_line(student)} is put away: nothing is handed in any more.",
-            markup=False,
-            soft_wrap=True,
-        )
+        _say(f"The grade of {one_line(student)} is put away: nothing is handed in any more.")
     for mark in every:
         if mark.notes:
-            output.print(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"), markup=False, soft_wrap=True)
+            _say(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"))
+    for note in (*notes, *names.notes(topic)):
+        _say(one_line(note))
+    if shared:
+        several = f"{len(shared)} mistakes" if len(shared) > 1 else "One mistake"
+        _say(f"{several} without a name: see {out / naming.PAGE}, and write a name into {out / naming.FILE}.")
     if left := sum(mark.open > 0 for mark in every):
-        said = f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again."
-        output.print(said, markup=False, soft_wrap=True)
+        _say(f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again.")
     if said := written.agreement(first, second):
-        output.print(said, markup=False, soft_wrap=True)
-    output.print(f"Marks: {', '.join(str(path) for path in tables)}", markup=False, soft_wrap=True)
-    output.print(f"The class: {page}; each student's page is in {out / STUDENTS}.", markup=False, soft_wrap=True)
+        _say(said)
+    _say(f"Marks: {', '.join(str(path) for path in tables)}")
+    _say(f"The class: {page}; each student's page is in {out / STUDENTS}.")
     raise typer.Exit(FAILED if failures.said else 0)
 
 
-def _grade_all(book: Book, found: Class, release: str, seconds: float, graders: Workers, failures: Failures) -> None:
+def _say(line: str) -> None:
+    output.print(line, markup=False, soft_wrap=True)
+
+
+def _grade_all(book: Book, found: Class, every: Iterator[Task], graders: Workers, failures: Failures) -> None:
     expected = versions(found.lab)
     columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=errors, transient=True) as progress:
         bar = progress.add_task("", total=len(found.handed))
 
         def todo() -> Iterator[Task]:
-            for task in tasks(found, release, seconds):
+            for task in every:
                 if book.is_done(task):
                     progress.advance(bar)
                 else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from labs.grading.wrapping import folded
 from labs.guidance.derivations import POINTS, Derivation
@@ -11,9 +11,15 @@ from labs.guidance.hint_files import Guide
 from reference.errors import InvalidInput
 
 
-def asked(guide: Guide) -> Iterator[str]:
-    """What there is to derive for a function, line by line."""
-    for derivation in guide.derivations:
+def asked(guide: Guide, lefts: Collection[str] = ()) -> Iterator[str]:
+    """What there is to derive for a function, line by line. lefts: of these lines alone; of all if there are none.
+
+    Raises
+    ------
+    InvalidInput
+        If no such line is asked for.
+    """
+    for derivation in map(guide.derivation, lefts) if lefts else guide.derivations:
         meaning = f", {derivation.asked}," if derivation.asked else ""
         yield f"Find {derivation.left}{meaning} from"
         width = max(len(name) for name in derivation.names)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import io
+import textwrap
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 DPI = 110
 _LEVEL = 0.02
 """A curve that changes by less than this share of its size counts as level."""
+_TITLE = 60
+"""So many letters of a title have room above a curve; a longer one takes two lines."""
 _HALF = "flex:1 1 400px;min-width:min(300px,100%);max-width:640px"
 """Replay and curve are side by side if there is room for 400 px each, otherwise one below the other."""
 
@@ -35,13 +38,17 @@ class Picture:
     text: str
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        return {"text/plain": self.text, "image/png": self.png}
+        return {"text/plain": self.text, "text/html": self._image("max-width"), "image/png": self.png}
 
     @property
     def markup(self) -> str:
-        """The figure as part of a page."""
+        """The figure as part of a page, as wide as the place that it has there."""
+        return self._image("width")
+
+    def _image(self, fitted: str) -> str:
+        """The figure with its text as alternative text, which a bare PNG cannot carry."""
         content = base64.b64encode(self.png).decode("ascii")
-        return f'<img alt="{escape(self.text)}" style="width:100%" src="data:image/png;base64,{content}">'
+        return f'<img alt="{escape(self.text)}" style="{fitted}:100%" src="data:image/png;base64,{content}">'
 
 
 @dataclass(frozen=True)
@@ -94,7 +101,7 @@ def curve(runs: CaseRuns) -> Picture | None:
             sparse = figures.staggered(len(axes.lines))
             axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
         _widen(axes)
-        axes.set(title=runs.title, xlabel="time, s", ylabel=runs.family.curve.y_label)
+        axes.set(title=textwrap.fill(runs.title, _TITLE), xlabel="time, s", ylabel=runs.family.curve.y_label)
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format="png")

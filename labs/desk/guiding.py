@@ -42,8 +42,12 @@ class Guiding:
 
         guide = self._guide(function)
         found = {left: line for left, line in lines.items() if line is not ...}
-        for line in derivations.judged(guide, found) if found else derivations.asked(guide):
+        waiting = [left for left in lines if left not in found]
+        for line in derivations.judged(guide, found):
             print(line)
+        if waiting or not found:
+            for line in derivations.asked(guide, waiting):
+                print(line)
 
     @errors_in_words
     def hint(self, function: str | Callable[..., object]) -> None:

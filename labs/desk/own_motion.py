@@ -7,7 +7,7 @@ its own, that loop returns the ball's places, and this module shows them.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,7 +57,7 @@ def fall(case: str) -> Fall:
     InvalidInput, UnknownName
         If there is no such case, it has no bodies of these names, or they have other shapes.
     """
-    scenario = _scenario(case)
+    scenario = first_scenario(case)
     solid, ball = scenario.body("solid"), scenario.body("ball")
     if not (isinstance(solid.shape, Polyhedron) and isinstance(ball.shape, Sphere)):
         raise InvalidInput(f"{case} is no ball that falls onto a polyhedron")
@@ -74,36 +74,72 @@ def fall(case: str) -> Fall:
     )
 
 
-def beside(case: str, places: ArrayLike, engines: Sequence[str], *, stock: bool = False) -> Replay:
+def beside(
+    case: str, places: ArrayLike, engines: Sequence[str], *, stock: bool = False, times: ArrayLike | None = None
+) -> Replay:
     """A replay of your own ball beside engines, seen from obliquely above.
 
-    case: `family/case`. places: (n, 3), m, the ball's centre at n instants that divide the case's duration evenly, from
-    its start to its end. engines: such as `("mujoco", "dart")`. stock: whether they are shown as they come.
+    case: `family/case`. places: (n, 3), m, the ball's centre at n instants: at `times`, (n,), s, which rise; without
+    them, at instants that divide the case's duration evenly, from its start to its end. engines: such as `("mujoco",
+    "dart")`. stock: whether they are shown as they come.
 
     Raises
     ------
     InvalidInput, UnknownName
-        If the places are not of that form or not finite, there is no such case or engine, or it has no recording.
+        If the places or times are not of that form or not finite, there is no such case or engine, it has no recording,
+        or several bodies move in the case.
     """
     way = np.asarray(places, dtype=float)
     if way.ndim != 2 or way.shape[1] != 3 or len(way) < 2:
         raise InvalidInput(f"places must have the shape (n, 3), not {way.shape}")
     if not np.all(np.isfinite(way)):
         raise InvalidInput("places must be finite: somewhere the ball is at inf or NaN")
-    scenario = _scenario(case)
+    scenario = first_scenario(case)
+    moving = tuple(body.name for body in scenario.bodies if not body.immovable)
+    if len(moving) != 1:
+        raise InvalidInput(f"in {case} these bodies move: {', '.join(moving)}")
+    known = np.linspace(0.0, scenario.duration, len(way)) if times is None else np.asarray(times, dtype=float)
+    if known.shape != (len(way),) or not np.all(np.diff(known) >= 0):
+        raise InvalidInput(f"times must be {len(way)} rising instants, one for each place")
+
+    def poses(instants: Array) -> tuple[Array, Array]:
+        ball = np.stack([np.interp(instants, known, along) for along in way.T], axis=-1)[:, None]
+        return ball, np.broadcast_to([1.0, 0.0, 0.0, 0.0], (len(instants), 1, 4))
+
+    return replay_beside(case, moving, poses, engines, stock=stock)
+
+
+def replay_beside(
+    case: str,
+    bodies: tuple[str, ...],
+    poses: Callable[[Array], tuple[Array, Array]],
+    engines: Sequence[str],
+    *,
+    stock: bool = False,
+    oblique: bool = True,
+) -> Replay:
+    """A replay of your own bodies beside engines.
+
+    bodies: the names of all that move. poses: of these bodies at n instants, places (n, bodies, 3), m, and orientations
+    (n, bodies, 4). oblique: whether it is seen from obliquely above.
+
+    Raises
+    ------
+    InvalidInput, UnknownName
+        If there is no such case or engine, or it has no recording.
+    """
+    scenario = first_scenario(case)
     times = np.arange(round(scenario.duration * rate_of(scenario)) + 1) / rate_of(scenario)
-    known = np.linspace(0.0, scenario.duration, len(way))
-    ball = np.stack([np.interp(times, known, along) for along in way.T], axis=-1)[:, None]
-    upright = np.broadcast_to([1.0, 0.0, 0.0, 0.0], (len(times), 1, 4))
-    found = {YOURS: Poses(YOURS, ("ball",), times, ball, upright)}
+    found = {YOURS: Poses(YOURS, bodies, times, *poses(times))}
     _, _, results = recorded(case, engines, STOCK if stock else TUNED)
     for result in results:
         title = f"{result.title}, stock" if stock else result.title
         found[result.job.engine] = unpack(result.poses[0], title, result.recording)
-    title = f"{case}: {', '.join(poses.title for poses in found.values())}"
+    title = f"{case}: {', '.join(each.title for each in found.values())}"
+    whole = clip(scenario, found, title)
     return Replay(
-        f'<div style="max-width:640px">{page.frame(seen_into(clip(scenario, found, title)))}</div>',
-        f"[replay: {', '.join(poses.title for poses in found.values())}]",
+        f'<div style="max-width:640px">{page.frame(seen_into(whole) if oblique else whole)}</div>',
+        f"[replay: {', '.join(each.title for each in found.values())}]",
     )
 
 
@@ -112,7 +148,8 @@ def _triangles(corners: Array) -> NDArray[np.int64]:
     return np.array([(a, b, c) for a, *rest in hull_faces(corners) for b, c in itertools.pairwise(rest)])
 
 
-def _scenario(case: str) -> Scenario:
+def first_scenario(case: str) -> Scenario:
+    """The first scenario of a case, which its replay shows; raises `InvalidInput` if the case is not named in full."""
     family, chosen = find(case)
     if chosen is None:
         raise InvalidInput(f"{case!r} names no case: give family/case, such as {family.name}/{family.curve.case}")

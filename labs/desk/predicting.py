@@ -33,7 +33,8 @@ class Predicting:
         """Keep what you expect and compare it with the result. That you predict counts; being wrong costs nothing."""
         right = hints(self.topic).answers.get(key) if self.topic else None
         self._predictions[key] = made_prediction(key, question, answer, unit, choices, right)
-        print(self._predictions[key])
+        for line in str(self._predictions[key]).splitlines():
+            print("\n".join(folded(line, 0)))
 
     @errors_in_words
     def show(

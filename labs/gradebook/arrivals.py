@@ -89,7 +89,7 @@ def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
         if entry.name in (METADATA, *_NOT_THEIRS) or not _may_be_submission(entry):
             continue
         for owner, who in _owners(entry, known):
-            arrived = _arrival(entry, owner, lab)
+            arrived = arrival(entry, owner, lab)
             if who and isinstance(arrived, Arrival):
                 arrived = replace(arrived, received=who.received, email=who.email)
             found.setdefault((owner.platform, owner.key), []).append(arrived)
@@ -139,7 +139,7 @@ def _owners(entry: Path, known: dict[str, list[Submitter]]) -> Iterator[tuple[Ow
         yield Owner(GRADESCOPE, person.key or person.email or person.name, person.name), person
 
 
-def _arrival(entry: Path, owner: Owner, lab: str) -> Arrival | Missing:
+def arrival(entry: Path, owner: Owner, lab: str) -> Arrival | Missing:
     """The file of an entry that is graded, or why there is none."""
     if entry.is_symlink():
         return Missing(owner, _shown(entry.name), "it is a link, which is not followed")

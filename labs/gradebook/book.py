@@ -2,6 +2,7 @@
 
     grades/students/4711/grade.json      what the student's submission earned, and with what it was graded
     grades/students/4711/measured.json   how long it took, and how much memory
+    grades/students/4711/runs.json       what the student's functions did in the scenarios of the lab
     grades/python/4711.py                the student's own code, for tools that look for copies
 
 A grade counts as done if it has the identity of the submission that is to be graded now: the same file, lab, release
@@ -25,12 +26,14 @@ from pathlib import Path
 from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
+from labs.gradebook.locks import locked
 from labs.gradebook.workers import Workers, lost
 from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import as_json, read_grade, write_private
 from reference.errors import InvalidInput
 
-STUDENTS, WITHDRAWN, PYTHON, GRADE, MEASURED = "students", "withdrawn", "python", "grade.json", "measured.json"
+STUDENTS, WITHDRAWN, PYTHON = "students", "withdrawn", "python"
+GRADE, MEASURED, RUNS = "grade.json", "measured.json", "runs.json"
 _LOCK = ".grading"
 _SAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _AHEAD = 2
@@ -58,15 +61,29 @@ class Book:
 
     def seconds(self, student: str) -> float:
         """How long the grading of a student's submission took, s; 0 if that is not known."""
+        seconds = _plain(self.place(student) / MEASURED).get("seconds")
+        return float(seconds) if isinstance(seconds, int | float) else 0.0
+
+    def runs_of(self, student: str) -> list[dict[str, Any]] | None:
+        """What the functions of the student's graded submission did in scenarios; None if they were not run."""
+        grade, kept = self.grade_of(student), _plain(self.place(student) / RUNS)
+        if grade is None or kept.get("identity") != grade.get("identity") or not isinstance(kept.get("runs"), list):
+            return None
+        return list(kept["runs"])
+
+    def code_of(self, student: str) -> str:
+        """The student's own code; empty if there is none."""
         try:
-            return float(json.loads((self.place(student) / MEASURED).read_text(encoding="utf-8"))["seconds"])
-        except (OSError, ValueError, KeyError, TypeError):
-            return 0.0
+            return (self.folder / PYTHON / f"{self.place(student).name}.py").read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError):
+            return ""
 
     def is_done(self, task: Task) -> bool:
-        """Whether the grade that is there is the one of this submission."""
+        """Whether the grade that is there is the one of this submission, and its runs are there if they are wanted."""
         found = self.grade_of(task.student)
-        return found is not None and found.get("identity") == identity(task)
+        if found is None or found.get("identity") != identity(task):
+            return False
+        return not task.with_runs or "unreadable" in found or self.runs_of(task.student) is not None
 
     def keep(self, graded: Graded) -> None:
         """Write a grade; what was there before stays until the new one is whole."""
@@ -75,6 +92,8 @@ class Book:
         (self.folder / PYTHON).mkdir(exist_ok=True, mode=0o700)
         write_private(self.folder / PYTHON / f"{place.name}.py", graded.code)
         write_private(place / MEASURED, as_json(graded.measured))
+        if graded.runs is not None:
+            write_private(place / RUNS, as_json({"identity": graded.content["identity"], "runs": graded.runs}))
         write_private(place / GRADE, as_json(graded.content))
 
     def withdraw_others(self, students: Iterable[str], lab: str) -> list[str]:
@@ -100,27 +119,23 @@ class Book:
         InvalidInput
             If somebody does, or this is Windows, which has no such locks.
         """
-        try:
-            import fcntl  # noqa: PLC0415 - Windows has none
-        except ImportError:
-            raise InvalidInput("a class is graded on Linux or a Mac; on Windows use its Linux (WSL)") from None
-        self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        with open(self.folder / _LOCK, "w", encoding="utf-8") as lock:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
-                raise InvalidInput(
-                    f"somebody else is grading into {str(self.folder)!r}: wait until they are done"
-                ) from None
+        busy = f"somebody else is grading into {str(self.folder)!r}: wait until they are done"
+        with locked(self.folder / _LOCK, busy):
             yield
 
 
 def _identity(path: Path) -> dict[str, Any]:
+    found = _plain(path).get("identity")
+    return found if isinstance(found, dict) else {}
+
+
+def _plain(path: Path) -> dict[str, Any]:
+    """The object in a file; an empty one if there is none that can be read."""
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
-        return dict(found["identity"])
-    except (OSError, ValueError, TypeError, KeyError):
+    except (OSError, ValueError):
         return {}
+    return found if isinstance(found, dict) else {}
 
 
 @dataclass

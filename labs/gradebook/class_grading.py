@@ -12,8 +12,13 @@ from labs.gradebook.arrivals import Arrival, Missing, arrivals
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.grading import Task
-from labs.gradebook.pages import class_page, student_page
+from labs.gradebook.mistakes import naming
+from labs.gradebook.mistakes.clusters import Cluster, clusters
+from labs.gradebook.mistakes.course_bank import CourseBank
+from labs.gradebook.mistakes.entries import Entry
+from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
+from labs.gradebook.runs_compared import compared, spreads
 from labs.gradebook.tables import Mark, for_platform, junit, plain_table
 from labs.gradebook.written import Codes, Given, Question, given_to
 from labs.grading.judging.grade import write_private
@@ -77,18 +82,30 @@ def _student(found: Class, entry: Arrival | Missing) -> Student:
     return student
 
 
-def tasks(found: Class, release: str, seconds: float) -> Iterator[Task]:
+def tasks(found: Class, release: str, seconds: float, with_runs: bool) -> Iterator[Task]:
     """The submissions as tasks; each is read only when it is wanted."""
     names = {student.id: student.name for student in found.students}
     for student, arrival in sorted(found.handed.items()):
+        content = arrival.read()
         yield Task(
-            student, names.get(student, ""), found.lab, arrival.entry, arrival.file, arrival.read(), release, seconds
+            student,
+            names.get(student, ""),
+            found.lab,
+            arrival.entry,
+            arrival.file,
+            content,
+            release,
+            seconds,
+            with_runs,
         )
 
 
 @dataclass(frozen=True)
 class Marker:
-    """What the marks of a class are made of besides the submissions: grades, rules, and points given by hand."""
+    """What the marks of a class are made of besides the submissions: grades, rules, and what people have written.
+
+    given: points for answers. bank: names that the course gives to mistakes.
+    """
 
     book: Book
     deadlines: Deadlines
@@ -96,6 +113,7 @@ class Marker:
     codes: Codes
     asked: tuple[Question, ...]
     given: Mapping[tuple[str, str], Given]
+    bank: CourseBank
 
     def questions(self, student: str, content: Mapping[str, Any]) -> float | None:
         """The share of the points of the questions that a student got; None while some are not marked."""
@@ -129,6 +147,7 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     content = marker.book.grade_of(student.id)
     if content is None:
         return Mark(student, found.lab, None, late=late, notes=(*notes, "not graded yet"))
+    content = marker.bank.joined(content)
     points, left = float(content["points"]), 0.0
     if "unreadable" in content:
         notes.append(str(content["unreadable"]))
@@ -139,17 +158,29 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     return Mark(student, found.lab, points, left, late, content, tuple(notes))
 
 
-def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker) -> Path:
-    """Write a page for each student who handed something in, and that of the class, and say where the latter is."""
-    measured = {}
+def shared_mistakes(every: Sequence[Mark], marker: Marker, waiting: Sequence[Entry]) -> list[Cluster]:
+    """The mistakes without a name that several students share. waiting: what is still to be named from the last run."""
+    contents = {mark.student.id: mark.content for mark in every if mark.content is not None}
+    return clusters(contents, marker.book.code_of, waiting, [entry.id for entry in marker.bank.entries])
+
+
+def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker, shared: Sequence[Cluster]) -> Path:
+    """Write a page for each student who handed something in, and that of the class, and say where the latter is.
+
+    shared: the mistakes without a name; a page of their own, for instructors, has what is not for the class.
+    """
+    measured, ran = {}, []
     for mark in every:
         place, code = book.place(mark.student.id), marker.codes(mark.student.id)
         if mark.content is not None:
             given = {key: points for (key, each), points in marker.given.items() if each == code}
-            write_private(place / FEEDBACK, student_page(mark, marker.asked, given))
+            runs = book.runs_of(mark.student.id) or []
+            write_private(place / FEEDBACK, student_page(mark, marker.asked, given, compared(runs, found.lab)))
             measured[code] = book.seconds(mark.student.id)
+            ran.append(runs)
     page = book.folder / CLASS
-    write_private(page, class_page(found.lab, every, measured))
+    write_private(page, class_page(found.lab, every, measured, spreads(ran, found.lab), shared))
+    write_private(book.folder / naming.PAGE, clusters_page(found.lab, shared))
     return page
 
 

@@ -23,9 +23,11 @@ from typing import Any
 import numpy as np
 
 from labs.building.marking import marks_of
+from labs.gradebook import scenario_runs
 from labs.gradebook.similarity import own_code
 from labs.gradebook.written import answers_in, questions
 from labs.grading.calling.remote import Grader, Limits
+from labs.grading.diagnosis.fingerprints.reading import FOLDER as FINGERPRINTS
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.judging.grade import SCHEMA, VERSION, grade
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
@@ -35,7 +37,10 @@ from reference.errors import InvalidInput
 
 @dataclass(frozen=True)
 class Task:
-    """A submission to grade. student: the number. file: its name, which a message may show. content: its bytes."""
+    """A submission to grade. student: the number. file: its name, which a message may show. content: its bytes.
+
+    with_runs: whether its functions also run in the scenarios of the lab, which changes nothing in the grade.
+    """
 
     student: str
     name: str
@@ -45,19 +50,21 @@ class Task:
     content: bytes
     release: str
     seconds: float
+    with_runs: bool = False
 
 
 @dataclass(frozen=True)
 class Graded:
     """What came of a task. content: of `grade.json`. measured: seconds and memory, which differ from run to run.
 
-    code: of the student's own, without what the lab gives.
+    code: of the student's own, without what the lab gives. runs: in scenarios; None if none were wanted.
     """
 
     student: str
     content: dict[str, Any]
     measured: dict[str, float]
     code: str = ""
+    runs: list[dict[str, Any]] | None = None
 
 
 def identity(task: Task) -> dict[str, Any]:
@@ -76,8 +83,8 @@ def identity(task: Task) -> dict[str, Any]:
 
 
 def versions(lab: str) -> dict[str, str]:
-    """Of all that a grade depends on besides the submission; of the tests a digest of their text."""
-    tests = hashlib.sha256()
+    """Of all that a grade depends on besides the submission; of tests and known mistakes a digest of their text."""
+    tests, mistakes = hashlib.sha256(), FINGERPRINTS / f"{lab}.json"
     for folder in (VISIBLE, HIDDEN):
         tests.update((AUTOGRADER / folder / f"test_{lab}.py").read_bytes())
     return {
@@ -85,6 +92,7 @@ def versions(lab: str) -> dict[str, str]:
         "python": platform.python_version(),
         "numpy": np.__version__,
         "tests": tests.hexdigest(),
+        "known mistakes": hashlib.sha256(mistakes.read_bytes() if mistakes.exists() else b"").hexdigest(),
     }
 
 
@@ -101,6 +109,7 @@ def grade_one(task: Task) -> Graded:
 def _grade(task: Task) -> Graded:
     began, processor = time.monotonic(), time.process_time()
     content: dict[str, Any] = {"schema": SCHEMA, "version": VERSION, "identity": identity(task)}
+    runs: list[dict[str, Any]] | None = None
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, Path(task.file).name or "submission.ipynb")
         path.write_bytes(task.content)
@@ -117,6 +126,7 @@ def _grade(task: Task) -> Graded:
             }
             content["points"] = round(marks.total, 4)
             content["answers"] = answers_in(path, [question.key for question in questions(task.lab)])
+            runs = scenario_runs.run(path, task.lab, _grader()) if task.with_runs else None
     measured = {
         "seconds": time.monotonic() - began,
         "processor_seconds": time.process_time() - processor,
@@ -125,7 +135,7 @@ def _grade(task: Task) -> Graded:
         import resource  # noqa: PLC0415
 
         measured["memory_kb"] = float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
-    return Graded(task.student, content, measured, code)
+    return Graded(task.student, content, measured, code, runs)
 
 
 @cache

@@ -1,14 +1,15 @@
-"""Pages of a class: one for each student, and one for the instructor that can be shown to the class.
+"""Pages of a class: one for each student, one for the instructor that can be shown to the class, and one that cannot.
 
 Threat: names, file names and messages are hostile text; templates escape everything. A student's page has nothing of a
 hidden test but what the grade has, which says neither inputs nor expected values. The page of the class has no names.
+Students' code, solutions and probes are on the page of the clusters alone.
 """
 
 from __future__ import annotations
 
 import statistics
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,9 +17,18 @@ from typing import Any
 import jinja2
 
 from labs.assessment.shares import SHARES
+from labs.gradebook.mistakes import naming
+from labs.gradebook.mistakes.clusters import Cluster
+from labs.gradebook.runs_compared import Compared, Spread
+from labs.gradebook.similarity import right_code
 from labs.gradebook.tables import Mark
 from labs.gradebook.written import Given, Question
+from labs.grading.diagnosis.deviations import Answer
+from labs.grading.diagnosis.fingerprints.reading import known
 from labs.grading.diagnosis.misconceptions import read_bank
+from labs.grading.diagnosis.output_names import output_names
+from labs.grading.diagnosis.unnamed import single_cases
+from labs.grading.diagnosis.words import answered, called
 from reference import lecture
 
 WAITS = "waits for another function"
@@ -59,9 +69,13 @@ class Mistake:
 
 
 def student_page(
-    mark: Mark, asked: Sequence[Question], given: Mapping[str, Given], contact: str = "your instructor"
+    mark: Mark,
+    asked: Sequence[Question],
+    given: Mapping[str, Given],
+    runs: Sequence[Compared] = (),
+    contact: str = "your instructor",
 ) -> str:
-    """What a student reads. given: by question, the points and comments that a person gave."""
+    """What a student reads. given: by question, the points and comments that a person gave. runs: in scenarios."""
     content = mark.content or {}
     kinds = {
         kind: (found["reached"], found["possible"], SHARES[kind]) for kind, found in content.get("marks", {}).items()
@@ -73,12 +87,22 @@ def student_page(
     ]
     return _environment().get_template("student.html.j2").render(
         mark=mark, title=lecture.topic(mark.lab).title, kinds=kinds, functions=functions, asked=asked, given=given,
-        content=content, contact=contact,
+        content=content, contact=contact, runs=runs,
     )  # fmt: skip
 
 
-def class_page(lab: str, marks: Sequence[Mark], measured: Mapping[str, float]) -> str:
-    """What an instructor reads, and may show: no names. measured: by code of a student, seconds that grading took."""
+def class_page(
+    lab: str,
+    marks: Sequence[Mark],
+    measured: Mapping[str, float],
+    runs: Sequence[Spread] = (),
+    shared: Sequence[Cluster] = (),
+) -> str:
+    """What an instructor reads, and may show: no names.
+
+    measured: by code of a student, seconds that grading took. runs: what the class measured in scenarios. shared:
+    mistakes without a name, of which this page says no more than how many students make them.
+    """
     graded = [mark for mark in marks if mark.content and "unreadable" not in mark.content]
     scores = [mark.raw for mark in graded if mark.raw is not None]
     bins = Counter(min(BINS - 1, int(score / 100 * BINS)) for score in scores)
@@ -87,9 +111,31 @@ def class_page(lab: str, marks: Sequence[Mark], measured: Mapping[str, float]) -
     return _environment().get_template("class.html.j2").render(
         title=lecture.topic(lab).title, students=len(marks), graded=len(graded), bins=[bins[at] for at in range(BINS)],
         median=statistics.median(scores) if scores else None, items=found, weakest=weakest(found),
-        mistakes=mistakes(contents),
+        mistakes=mistakes(contents), unnamed=[(len(each.students), each.function) for each in shared], runs=runs,
         slowest=sorted(measured.items(), key=lambda each: -each[1])[:5],
     )  # fmt: skip
+
+
+def clusters_page(lab: str, shared: Sequence[Cluster]) -> str:
+    """What an instructor reads about the mistakes without a name: students' code, solutions and probes are on it."""
+    return (
+        _environment()
+        .get_template("clusters.html.j2")
+        .render(
+            title=lecture.topic(lab).title, table=naming.FILE, clusters=[_beside_the_right_one(each) for each in shared]
+        )
+    )
+
+
+def _beside_the_right_one(found: Cluster) -> dict[str, Any]:
+    """A shared mistake, the solution, and the simplest case in which they differ."""
+    probe, right = single_cases(found.function)[found.place]
+    return {
+        "id": found.id, "function": found.function, "students": len(found.students), "code": found.code,
+        "right": right_code(found.function), "note": probe.note, "gives": found.gives,
+        "tried": called(known(found.function).parameters, probe.arguments, found.function),
+        "physics": answered(Answer(), right, output_names(found.function))[1],
+    }  # fmt: skip
 
 
 def items(lab: str, contents: Sequence[Mapping[str, Any]]) -> list[Item]:
@@ -118,8 +164,8 @@ def weakest(found: Sequence[Item]) -> Item | None:
     )
 
 
-def mistakes(contents: Iterable[Mapping[str, Any]]) -> list[Mistake]:
-    """The known mistakes that students made, the most common first. A student counts once for each."""
+def mistakes(contents: Sequence[Mapping[str, Any]]) -> list[Mistake]:
+    """The mistakes with a name that students made, the most common first. A student counts once for each."""
     counts = Counter(
         known
         for content in contents
@@ -127,6 +173,8 @@ def mistakes(contents: Iterable[Mapping[str, Any]]) -> list[Mistake]:
         for known in dict.fromkeys(each["mistakes"])
     )
     texts = {entry.id: entry.rationale for entry in read_bank()}
+    for each in (each for content in contents for each in content.get("functions", []) if "named_by_course" in each):
+        texts[each["mistakes"][0]] = each["named_by_course"]["title"]
     return [
         Mistake(known, count, texts.get(known, ""))
         for known, count in sorted(counts.items(), key=lambda each: (-each[1], each[0]))

@@ -25,6 +25,7 @@ import jinja2
 from labs.building import lessons
 from labs.building.instructor_page import parts
 from labs.gradebook.tables import defused
+from labs.gradebook.typeset import typeset
 from labs.grading.judging.grade import write_private
 from labs.grading.submission.cells import read_cells
 from reference.errors import InvalidInput
@@ -211,7 +212,10 @@ def agreement(first: Mapping[tuple[str, str], Given], second: Mapping[tuple[str,
 
 
 def _environment() -> jinja2.Environment:
-    return jinja2.Environment(
+    """Templates that escape everything, except for our own text where it is typeset."""
+    found = jinja2.Environment(
         loader=jinja2.PackageLoader("labs.gradebook"), autoescape=True, undefined=jinja2.StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
+    found.filters["typeset"] = typeset
+    return found

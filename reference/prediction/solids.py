@@ -151,13 +151,12 @@ def separation(first: Array, second: Array) -> float:
 
     A plane that is parallel to a face of one of them, or to an edge of each, parts them if any plane does.
     """
-    heights = [_between_shadows(normal, first, second) for normal in _normals_of_planes(first, second)]
-    return max(heights) if max(heights) < 0 else apart(first, second)
-
-
-def _between_shadows(normal: Array, first: Array, second: Array) -> float:
-    one, other = first @ normal, second @ normal
-    return float(max(other.min() - one.max(), one.min() - other.max()))
+    one, other = (np.unique(corners.reshape(-1, 3), axis=0) for corners in (first, second))
+    normals = _normals_of_planes(first, second)
+    shadows, others = normals @ one.T, normals @ other.T
+    gaps = np.maximum(others.min(axis=1) - shadows.max(axis=1), shadows.min(axis=1) - others.max(axis=1))
+    highest = float(np.max(gaps))
+    return highest if highest < 0 else apart(first, second)
 
 
 def _normals_of_planes(first: Array, second: Array) -> Array:

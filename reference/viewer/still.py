@@ -20,6 +20,8 @@ from reference.viewer.clip import DASHES, WIDTHS, Clip, Run, Solid
 from reference.viewer.shapes import Capsule, faces_of, vertices_of
 
 WIDTH, MARGIN, LINE = 640, 16, 20
+LETTERS, LETTER = 14, 0.55
+"""Size of the letters, and how wide one is, as a share of this, on average: a long caption gets smaller ones."""
 POINTS = 90
 """Of a body's way, at most."""
 STYLE = (
@@ -47,7 +49,7 @@ def still(clip: Clip, alone: bool = True) -> str:
     time = f"{clip.title}, {(clip.count - 1) / clip.rate:.2f} s"
     content = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {whole}" role="img" aria-label="{escape(time)}"'
-        ' font-family="sans-serif" font-size="14" stroke-width="1.5" stroke-linejoin="round" fill="none">',
+        f' font-family="sans-serif" font-size="{LETTERS}" stroke-width="1.5" stroke-linejoin="round" fill="none">',
         f'<style>{STYLE}</style><path class="page" d="M0 0H{WIDTH}V{whole}H0z"/>' if alone else "",
         f'<svg width="{WIDTH}" height="{height}" viewBox="0 0 {WIDTH} {height}">',
         *_drawn(clip, picture),
@@ -163,7 +165,9 @@ def _ways(run: Run, picture: Picture) -> Iterator[str]:
 
 
 def _legend(time: str, shown: Sequence[Run], clip: Clip, height: int) -> Iterator[str]:
-    yield f'<text class="text" x="8" y="{height + LINE - 3}">{escape(time)}</text>'
+    size = (WIDTH - MARGIN) / (LETTER * len(time))
+    smaller = f' font-size="{size:.1f}"' if size < LETTERS else ""
+    yield f'<text class="text" x="8" y="{height + LINE - 3}"{smaller}>{escape(time)}</text>'
     for at, run in enumerate(shown):
         y = height + LINE * (at + 2) - 8
         if run is clip.runs[0]:

@@ -111,7 +111,7 @@ def penalty_damping(
 ) -> Array:
     """Damping that gives a penalty contact the restitution e.
 
-    This function is the inverse of `penalty_restitution`.
+    The impact is one without gravity.
 
     Parameters
     ----------

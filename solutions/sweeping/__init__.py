@@ -1,7 +1,8 @@
 """Swept volumes (slide 10).
 
-Bodies that move without turning are reduced to a relative motion and a ray against a
-Minkowski sum. Bodies that turn are swept by conservative advancement.
+Bodies that move without turning are reduced to a relative motion and a ray
+against a Minkowski sum. Bodies that turn are swept by conservative
+advancement.
 """
 
 from solutions.sweeping.advancement import sweep_convex
@@ -12,7 +13,11 @@ from solutions.sweeping.motion import motion_bound, relative_motion, rotated
 from solutions.sweeping.nearest import nearest_on_triangle, separation_of_hulls
 from solutions.sweeping.rays import ray_box, ray_capsule, ray_sphere
 from solutions.sweeping.rounds import UndecidedWarning
-from solutions.sweeping.spheres import sweep_sphere_plane, sweep_sphere_sphere, sweep_sphere_triangle
+from solutions.sweeping.spheres import (
+    sweep_sphere_plane,
+    sweep_sphere_sphere,
+    sweep_sphere_triangle,
+)
 
 __all__ = [
     "UndecidedWarning",

@@ -1,4 +1,4 @@
-"""What looking now and then misses, and when to look to miss nothing (slide 10)."""
+"""What looks now and then miss, and looks that miss nothing (slide 10)."""
 
 from __future__ import annotations
 
@@ -6,19 +6,28 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_space, not_negative, of_shape, positive, whole
+from solutions.checks import (
+    finite,
+    in_space,
+    not_negative,
+    of_shape,
+    positive,
+    whole,
+)
 from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
 
 
-def missed_share(speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt: ArrayLike) -> Array:
+def missed_share(
+    speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt: ArrayLike
+) -> Array:
     """Share of the collisions of two balls that one look per step misses.
 
     The balls pass through each other unhindered. They meet at a random offset:
-    the line along which A moves, as seen from B, crosses every part of the disk
-    of radius r_A + r_B around B equally often. Every phase of the looks is
-    equally likely.
+    the line along which A moves, as seen from B, crosses every part of the
+    disk of radius r_A + r_B around B equally often. Every phase of the looks
+    is equally likely.
 
     Parameters
     ----------
@@ -29,7 +38,8 @@ def missed_share(speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt:
     Returns
     -------
     (...), 0 to 1
-        0 where speed or dt is 0, also for two points. Otherwise 1 for two points.
+        0 where speed or dt is 0, also for two points. Otherwise 1 for two
+        points.
 
     Raises
     ------
@@ -45,14 +55,14 @@ def missed_share(speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt:
 
     A look falls on the chord with the probability c/D, and certainly where
     c ≥ D. The offsets within b are π b² of all π R². With c² = 4 (R² − b²),
-    the share of the chords shorter than c is therefore c²/4R², and the share of
-    those between c and c + dc is c dc/2R². Chords shorter than D can be missed,
-    each with the probability 1 − c/D. For D ≤ 2R the share missed is
+    the share of the chords shorter than c is therefore c²/4R², and the share
+    of those between c and c + dc is c dc/2R². Chords shorter than D can be
+    missed, each with the probability 1 − c/D. For D ≤ 2R the share missed is
 
         ∫₀ᴰ (1 − c/D) c dc/2R² = D²/12R²
 
-    A longer step can miss every chord, also the longest one of 2R. The integral
-    then ends at 2R, and its value is
+    A longer step can miss every chord, also the longest one of 2R. The
+    integral then ends at 2R, and its value is
 
         1 − 4R/3D
     """
@@ -86,7 +96,7 @@ def advance(
     position_a : (3,), the point about which A turns, m
     velocity_a : (3,), of that point, m/s, constant over the step
     angular_velocity_a : (3,), rad/s, constant over the step
-    points_b : (m, 3), corners of B, which rests, at their places in the world, m
+    points_b : (m, 3), corners of B, which rests, as places in the world, m
     dt : s, finite, length of the step
     tolerance : m, above 0; hulls at most so far apart count as touching
     looks : whole number, at least 1; how often the separation may be measured
@@ -97,37 +107,41 @@ def advance(
         It is never later than the true contact, and the hulls are then at most
         the tolerance apart. It is 0 if they touch or overlap now, and infinity
         where they stay apart over the step. It is NaN where all looks are used
-        up before it is decided whether the hulls touch. The last look may still
-        decide that they stay apart, by the time to which the clock then advances.
+        up before it is decided whether the hulls touch. The last look may
+        still decide that they stay apart, by the time to which the clock then
+        advances.
     used : how often the separation was measured, from 1 to looks
         The first look is at the start of the step. After each one the clock
-        advances as far as the separation and the `motion_bound` of all of A allow,
-        whose reach is that of A's farthest corner. No look is taken after dt; one at
-        dt is.
+        advances as far as the separation and the `motion_bound` of all of A
+        allow, whose reach is that of A's farthest corner. No look is taken
+        after dt; one at dt is.
 
     Raises
     ------
     ValueError
-        If dt is negative, tolerance is not positive, looks is not a whole number
-        from 1, a hull has no points, or an array is not finite or does not have
-        the shape above.
+        If dt is negative, tolerance is not positive, looks is not a whole
+        number from 1, a hull has no points, or an array is not finite or does
+        not have the shape above.
 
     Notes
     -----
-    The hulls are apart by s along a direction n from B to A. B rests, and no point
-    of A moves along −n faster than the bound μ (`motion_bound`). The gap along n
-    therefore shrinks by at most μ t in a time t, and the hulls surely
+    The hulls are apart by s along a direction n from B to A. B rests, and no
+    point of A moves along −n faster than the bound μ (`motion_bound`). The gap
+    along n therefore shrinks by at most μ t in a time t, and the hulls surely
     stay apart for
 
         s/μ
 
-    The loop advances the clock by this time, and looks again. If μ ≤ 0, no point
-    of A ever comes nearer along n, and the hulls stay apart for ever.
+    The loop advances the clock by this time, and looks again. If μ ≤ 0, no
+    point of A ever comes nearer along n, and the hulls stay apart for ever.
     """
-    corners, b = _one_hull("points_a", points_a), _one_hull("points_b", points_b)
-    position, velocity = _one_vector("position_a", position_a), _one_vector("velocity_a", velocity_a)
+    corners = _one_hull("points_a", points_a)
+    b = _one_hull("points_b", points_b)
+    position = _one_vector("position_a", position_a)
+    velocity = _one_vector("velocity_a", velocity_a)
     turn = _one_vector("angular_velocity_a", angular_velocity_a)
-    end, near = finite("dt", not_negative("dt", dt)), positive("tolerance", tolerance)
+    end = finite("dt", not_negative("dt", dt))
+    near = positive("tolerance", tolerance)
     most = int(finite("looks", positive("looks", whole("looks", looks))))
     reach = length_of(corners).max()
     time = 0.0

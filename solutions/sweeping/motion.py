@@ -1,4 +1,4 @@
-"""Motion of one body relative to the other: the first of three tasks (slide 10)."""
+"""Motion of one body relative to the other (slide 10)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def extent(name: str, value: ArrayLike) -> Array:
 
 
 def within(time: Array, dt: ArrayLike) -> Array:
-    """Return the time, or infinity where it is later than the end dt of the step.
+    """Return the time, or infinity where it is later than dt, the step's end.
 
     The step may be infinitely long.
     """
@@ -60,13 +60,15 @@ def relative_motion(
 
         x = p_A − p_B,    u = ṗ_A − ṗ_B
 
-    Someone who rides on B without turning sees B at rest at the origin, and sees only A
-    move. Only the difference of the velocities matters. So a wind that carries both
-    bodies changes no time of impact.
+    Someone who rides on B without turning sees B at rest at the origin, and
+    sees only A move. Only the difference of the velocities matters. So a wind
+    that carries both bodies changes no time of impact.
     """
-    position = in_space("position_a", position_a) - in_space("position_b", position_b)
-    velocity = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
-    return position, velocity
+    p_a = in_space("position_a", position_a)
+    p_b = in_space("position_b", position_b)
+    v_a = in_space("velocity_a", velocity_a)
+    v_b = in_space("velocity_b", velocity_b)
+    return p_a - p_b, v_a - v_b
 
 
 def rotated(point: ArrayLike, rotation: ArrayLike) -> Array:
@@ -94,17 +96,22 @@ def rotated(point: ArrayLike, rotation: ArrayLike) -> Array:
 
         p' = p cos θ + (w × p) sin θ/θ + w (w·p) (1 − cos θ)/θ²
 
-    Split p into a part along the axis, w (w·p)/θ², and a part across it. The part along
-    the axis stays as it is. The part across it turns in a plane, in which (w × p)/θ is
-    the same part turned by a right angle. After a turn by θ it is cos θ times itself
-    plus sin θ times that. The sum of the two parts is the formula. As θ goes to 0, the
-    two quotients go to 1 and ½, and the function uses these limits.
+    Split p into a part along the axis, w (w·p)/θ², and a part across it. The
+    part along the axis stays as it is. The part across it turns in a plane, in
+    which (w × p)/θ is the same part turned by a right angle. After a turn by θ
+    it is cos θ times itself plus sin θ times that. The sum of the two parts is
+    the formula. As θ goes to 0, the two quotients go to 1 and ½, and the
+    function uses these limits.
     """
     p, w = in_space("point", point), in_space("rotation", rotation)
     angle = length_of(w)[..., None]
     sine = np.sinc(angle / np.pi)  # sin θ/θ, 1 at 0
     rest = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 − cos θ)/θ², ½ at 0
-    return np.asarray(p * np.cos(angle) + np.cross(w, p) * sine + w * np.vecdot(w, p)[..., None] * rest)
+    return np.asarray(
+        p * np.cos(angle)
+        + np.cross(w, p) * sine
+        + w * np.vecdot(w, p)[..., None] * rest
+    )
 
 
 def motion_bound(
@@ -125,31 +132,33 @@ def motion_bound(
     Returns
     -------
     (...), m/s
-        The smallest number that no point within the reach exceeds at any time, as long
-        as v and ω are constant. It is negative for a body all of whose points move
-        backwards.
+        The smallest number that no point within the reach exceeds at any time,
+        as long as v and ω are constant. It is negative for a body all of whose
+        points move backwards.
 
     Raises
     ------
     ValueError
-        If reach is negative, a normal does not have length 1, or a vector is not finite
-        or not of three components.
+        If reach is negative, a normal does not have length 1, or a vector is
+        not finite or not of three components.
 
     Notes
     -----
-    A point at r from the point about which the body turns has the velocity v + ω × r.
-    Its part along n is
+    A point at r from the point about which the body turns has the velocity v +
+    ω × r. Its part along n is
 
         n·(v + ω × r) = n·v + (n × ω)·r ≤ n·v + ‖n × ω‖ r_max
 
-    The equality swaps the factors of a triple product. The inequality holds because a
-    dot product is at most the product of the two lengths. While the body turns, r
-    changes its direction but not its length, and so the bound holds at all times.
+    The equality swaps the factors of a triple product. The inequality holds
+    because a dot product is at most the product of the two lengths. While the
+    body turns, r changes its direction but not its length, and so the bound
+    holds at all times.
 
-    This bound is what is left of the swept volume of a body that turns. The true shape
-    of that volume is known only for simple motion.
+    This bound is what is left of the swept volume of a body that turns. The
+    true shape of that volume is known only for simple motion.
     """
-    v, w = in_space("velocity", velocity), in_space("angular_velocity", angular_velocity)
+    v = in_space("velocity", velocity)
+    w = in_space("angular_velocity", angular_velocity)
     n = unit("normal", vector("normal", normal))
     turning = length_of(np.cross(n, w)) * not_negative("reach", reach)
     return np.asarray(np.vecdot(n, v) + turning)

@@ -15,7 +15,8 @@ from solutions.scaling import in_moderate_units, in_unit
 ROUNDS = 60
 """Largest number of rounds; boxes take about ten.
 
-Where rounding holds up the search for longer, the separation found so far is given.
+Where rounding holds up the search for longer, the separation found so far is
+given.
 """
 FACES = np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])
 """Faces of a tetrahedron, by corners."""
@@ -27,11 +28,14 @@ def triangles(name: str, value: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If one is not finite or does not have three corners of three components.
+        If one is not finite or does not have three corners of three
+        components.
     """
     corners = in_space(name, value)
     if corners.shape[-2:] != (3, 3):
-        raise ValueError(f"{name} must have shape (..., 3, 3), not {corners.shape}")
+        raise ValueError(
+            f"{name} must have shape (..., 3, 3), not {corners.shape}"
+        )
     return corners
 
 
@@ -41,11 +45,15 @@ def point_set(name: str, value: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If a set has no point, is not finite, or has points without three components.
+        If a set has no point, is not finite, or has points without three
+        components.
     """
     array = in_space(name, value)
     if array.ndim < 2 or not array.shape[-2]:
-        raise ValueError(f"{name} must have shape (..., n, 3) with a point at least, not {array.shape}")
+        raise ValueError(
+            f"{name} must have shape (..., n, 3) with a point at least, "
+            f"not {array.shape}"
+        )
     return array
 
 
@@ -61,8 +69,8 @@ def nearest_on_triangle(point: ArrayLike, triangle: ArrayLike) -> Array:
     Returns
     -------
     (..., 3)
-        No weight is negative, and their sum is 1. With the corners p_i and the weights
-        w_i, the nearest point is Σ w_i p_i.
+        No weight is negative, and their sum is 1. With the corners p_i and the
+        weights w_i, the nearest point is Σ w_i p_i.
 
     Raises
     ------
@@ -71,55 +79,72 @@ def nearest_on_triangle(point: ArrayLike, triangle: ArrayLike) -> Array:
 
     Notes
     -----
-    The nearest point is on one of the three edges, or inside the triangle. It is inside
-    where the foot of the perpendicular from the given point to the triangle's plane
-    falls inside. The function computes one candidate on each edge and one inside, and
-    it takes the nearest of these four. A triangle without area therefore needs no
-    treatment of its own: its nearest point is on an edge.
+    The nearest point is on one of the three edges, or inside the triangle. It
+    is inside where the foot of the perpendicular from the given point to the
+    triangle's plane falls inside. The function computes one candidate on each
+    edge and one inside, and it takes the nearest of these four. A triangle
+    without area therefore needs no treatment of its own: its nearest point is
+    on an edge.
     """
     places = triangles("triangle", triangle)
-    # The edges are not taken from `corners`: far from the point these have lost digits.
+    # The edges are not taken from `corners`: far from the point these have
+    # lost digits.
     ways = np.roll(places, -1, axis=-2) - places
     *_, metre = in_moderate_units(ways.reshape(*ways.shape[:-2], 9))
     places, ways = in_unit(places, metre, 2), in_unit(ways, metre, 2)
-    return nearest_weights(places - in_unit(in_space("point", point), metre)[..., None, :], places, ways)
+    return nearest_weights(
+        places - in_unit(in_space("point", point), metre)[..., None, :],
+        places,
+        ways,
+    )
 
 
 def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
     """Weights of triangles' corners at the points nearest to the origin.
 
-    The corners are measured from there. Their places, and the edges as ways from one
-    place to the next, may be measured from elsewhere.
+    The corners are measured from there. Their places, and the edges as ways
+    from one place to the next, may be measured from elsewhere.
     """
-    weights = np.concatenate([_on_edges(corners, ways), _inside(corners, ways)[..., None, :]], axis=-2)
-    nearest, step = weights @ corners, (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
-    # This is d² minus the d² of the first candidate. Far away all d² are equal up to
-    # rounding, but their differences are not lost.
+    weights = np.concatenate(
+        [_on_edges(corners, ways), _inside(corners, ways)[..., None, :]],
+        axis=-2,
+    )
+    nearest = weights @ corners
+    step = (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
+    # This is d² minus the d² of the first candidate. Far away all d² are equal
+    # up to rounding, but their differences are not lost.
     farther = np.vecdot(step, nearest + nearest[..., :1, :])
     best = np.argmin(farther, axis=-1)[..., None, None]
     return np.asarray(np.take_along_axis(weights, best, axis=-2)[..., 0, :])
 
 
 def _on_edges(corners: Array, ways: Array) -> Array:
-    """Weights (..., 3, 3) of the points on edges 01, 12, 20 nearest to the origin."""
+    """Weights (..., 3, 3) of points on edges 01, 12, 20 nearest to 0."""
     squared = np.vecdot(ways, ways)
     share = -np.vecdot(corners, ways) / np.where(squared > 0, squared, 1.0)
     share = np.clip(share, 0.0, 1.0)[..., None]
-    return np.asarray((1 - share) * np.eye(3) + share * np.roll(np.eye(3), 1, axis=-1))
+    return np.asarray(
+        (1 - share) * np.eye(3) + share * np.roll(np.eye(3), 1, axis=-1)
+    )
 
 
 def _inside(corners: Array, ways: Array) -> Array:
-    """Weights (..., 3) of the foot of the origin on the plane, pushed back inside.
+    """Weights (..., 3) of the origin's foot on the plane, pushed back inside.
 
     Without a plane, they are those of the first corner.
     """
     normal = np.cross(ways[..., 0, :], ways[..., 1, :])
-    # Each is in proportion to the area of the triangle of the foot and that edge.
+    # Each is in proportion to the area of the triangle of the foot and that
+    # edge.
     beside = np.vecdot(np.cross(corners, ways), normal[..., None, :])
     # The triangle on the edge 12 is the weight of the corner 0.
     shares = np.maximum(np.roll(beside, -1, axis=-1), 0.0)
     total = shares.sum(axis=-1, keepdims=True)
-    return np.where(total > 0, shares / np.where(total > 0, total, 1.0), np.array([1.0, 0.0, 0.0]))
+    return np.where(
+        total > 0,
+        shares / np.where(total > 0, total, 1.0),
+        np.array([1.0, 0.0, 0.0]),
+    )
 
 
 def separation_of_hulls(
@@ -128,8 +153,8 @@ def separation_of_hulls(
 ) -> tuple[Array, Array]:
     """How far two convex hulls are apart, and along which direction.
 
-    Each hull is that of a set of points. The method is that of Gilbert, Johnson and
-    Keerthi.
+    Each hull is that of a set of points. The method is that of Gilbert,
+    Johnson and Keerthi.
 
     Parameters
     ----------
@@ -140,37 +165,44 @@ def separation_of_hulls(
     Returns
     -------
     separation : (...), m, the smallest n·(a − b)
-        It is never more than the true distance s. It falls short of s by at most
-        10⁻¹⁵ L²/s, where L is the largest coordinate. The nearer the hulls are, the
-        more rounding bends n. Below some 3·10⁻⁸ L it may be 0. It is 0 where the hulls
-        touch or overlap.
+        It is never more than the true distance s. It falls short of s by at
+        most 10⁻¹⁵ L²/s, where L is the largest coordinate. The nearer the
+        hulls are, the more rounding bends n. Below some 3·10⁻⁸ L it may be 0.
+        It is 0 where the hulls touch or overlap.
     normal : (..., 3), n, of unit length from B to A
         It is zero where the separation is zero.
 
     Raises
     ------
     ValueError
-        If a body has no points, or an array is not finite or not of three components.
+        If a body has no points, or an array is not finite or not of three
+        components.
 
     Notes
     -----
-    The differences a − b between a point of A and a point of B fill a convex body too.
-    It contains the origin exactly when the hulls have a point in common. If they have
-    none, its point nearest to the origin gives the distance and the direction.
+    The differences a − b between a point of A and a point of B fill a convex
+    body too. It contains the origin exactly when the hulls have a point in
+    common. If they have none, its point nearest to the origin gives the
+    distance and the direction.
 
-    The function moves a tetrahedron of four differences towards the origin. Each round
-    finds the part of the tetrahedron that is nearest to the origin, and keeps it. It
-    then looks from that nearest point towards the origin, and adds the difference that
-    lies farthest in this direction. When this gets no nearer, the nearest point is
-    found.
+    The function moves a tetrahedron of four differences towards the origin.
+    Each round finds the part of the tetrahedron that is nearest to the origin,
+    and keeps it. It then looks from that nearest point towards the origin, and
+    adds the difference that lies farthest in this direction. When this gets no
+    nearer, the nearest point is found.
 
     While the hulls overlap there is no direction that separates them, and the
     separation stays 0.
     """
     a, b = point_set("points_a", points_a), point_set("points_b", points_b)
     shape = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
-    a, b = np.broadcast_to(a, (*shape, *a.shape[-2:])), np.broadcast_to(b, (*shape, *b.shape[-2:]))
-    *_, metre = in_moderate_units(np.concatenate([a, b], axis=-2).reshape(*shape, 3 * (a.shape[-2] + b.shape[-2])))
+    a = np.broadcast_to(a, (*shape, *a.shape[-2:]))
+    b = np.broadcast_to(b, (*shape, *b.shape[-2:]))
+    *_, metre = in_moderate_units(
+        np.concatenate([a, b], axis=-2).reshape(
+            *shape, 3 * (a.shape[-2] + b.shape[-2])
+        )
+    )
     a, b = in_unit(a, metre, 2), in_unit(b, metre, 2)
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))
@@ -181,25 +213,38 @@ def separation_of_hulls(
         way = nearest / np.where(distance > 0, distance, 1.0)[..., None]
         support = farthest(a, -way) - farthest(b, way)
         separation = np.vecdot(way, support)
-        # The hulls are apart by this much, whichever direction it was found along.
+        # The hulls are apart by this much, whichever direction it was found
+        # along.
         better = separation > best
-        best, normal = np.where(better, separation, best), np.where(better[..., None], way, normal)
+        best = np.where(better, separation, best)
+        normal = np.where(better[..., None], way, normal)
         done |= distance >= last  # the distance falls until rounding stops it
         last = np.minimum(distance, last)
         if np.all(done):
             break
         unused = np.argmin(weights, axis=-1)[..., None, None]
-        corners = np.where(weights[..., None] > 0, corners, nearest_corner(corners, weights)[..., None, :])
-        np.put_along_axis(corners, np.broadcast_to(unused, (*shape, 1, 3)), support[..., None, :], axis=-2)
+        corners = np.where(
+            weights[..., None] > 0,
+            corners,
+            nearest_corner(corners, weights)[..., None, :],
+        )
+        np.put_along_axis(
+            corners,
+            np.broadcast_to(unused, (*shape, 1, 3)),
+            support[..., None, :],
+            axis=-2,
+        )
     return best * metre, normal
 
 
 def farthest(body: Array, direction: Array) -> Array:
-    """Point (..., 3) of a body (..., n, 3) that lies farthest along a direction.
+    """Point (..., 3) of a body (..., n, 3) that is farthest along a direction.
 
     It is called the support.
     """
-    index = np.argmax(np.vecdot(body, direction[..., None, :]), axis=-1)[..., None, None]
+    index = np.argmax(np.vecdot(body, direction[..., None, :]), axis=-1)[
+        ..., None, None
+    ]
     return np.asarray(np.take_along_axis(body, index, axis=-2)[..., 0, :])
 
 
@@ -208,7 +253,11 @@ def nearest_corner(corners: Array, weights: Array) -> Array:
 
     In its place, corners that are no longer needed do no harm.
     """
-    return np.asarray(np.take_along_axis(corners, np.argmax(weights, axis=-1)[..., None, None], axis=-2)[..., 0, :])
+    return np.asarray(
+        np.take_along_axis(
+            corners, np.argmax(weights, axis=-1)[..., None, None], axis=-2
+        )[..., 0, :]
+    )
 
 
 def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
@@ -217,7 +266,9 @@ def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
     It is given by its weights (..., 4) and its place (..., 3).
     """
     faces = corners[..., FACES, :]
-    on_faces = nearest_weights(faces, faces, np.roll(faces, -1, axis=-2) - faces)
+    on_faces = nearest_weights(
+        faces, faces, np.roll(faces, -1, axis=-2) - faces
+    )
     places = (on_faces[..., None, :] @ faces)[..., 0, :]
     best = np.argmin(np.vecdot(places, places), axis=-1)[..., None]
     weights = np.zeros((*best.shape[:-1], 4))

@@ -1,4 +1,4 @@
-"""Rays against Minkowski sums, to which translations are reduced (slide 10)."""
+"""Rays against Minkowski sums, for bodies that translate (slide 10)."""
 
 from __future__ import annotations
 
@@ -11,60 +11,74 @@ from solutions.scaling import in_moderate_units, in_unit
 from solutions.sweeping.motion import extent
 
 
-def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Array:
+def ray_sphere(
+    origin: ArrayLike, direction: ArrayLike, radius: ArrayLike
+) -> Array:
     """First t ≥ 0 at which x + u t is inside or on a sphere around the origin.
 
     Parameters
     ----------
     origin : (..., 3), x, where the ray starts, from the sphere's centre, m
     direction : (..., 3), u, of any length
-        It sets the unit of t: seconds if u is a velocity, a share of the way if u is a
-        whole way.
+        It sets the unit of t: seconds if u is a velocity, a share of the way
+        if u is a whole way.
     radius : (...), r, m; 0 for a point
 
     Returns
     -------
     (...), t
-        It is 0 from within and from the surface, whichever way the ray goes. It is
-        infinity for a miss, and where the ray has no direction. A ray that grazes the
-        sphere meets it; within rounding of that, rounding decides.
+        It is 0 from within and from the surface, whichever way the ray goes.
+        It is infinity for a miss, and where the ray has no direction. A ray
+        that grazes the sphere meets it; within rounding of that, rounding
+        decides.
 
     Raises
     ------
     ValueError
-        If radius is negative or not finite, or a vector is not finite or not of three
-        components.
+        If radius is negative or not finite, or a vector is not finite or not
+        of three components.
 
     Notes
     -----
-    A ray that starts outside can meet the sphere only if it approaches it, x·u < 0. It
-    is on the sphere where x + u t has the length r. Squared, with x² for x·x, this is a
-    quadratic equation for t:
+    A ray that starts outside can meet the sphere only if it approaches it, x·u
+    < 0. It is on the sphere where x + u t has the length r. Squared, with x²
+    for x·x, this is a quadratic equation for t:
 
         u² t² + 2 x·u t + x² − r² = 0
 
-    A quarter of its discriminant is (x·u)² − u² (x² − r²). Lagrange's identity,
-    (x·u)² = x² u² − (x × u)², turns it into r² u² − (x × u)². The ray misses the sphere
-    where this is negative. Otherwise the smaller root is where the ray enters,
+    A quarter of its discriminant is (x·u)² − u² (x² − r²). Lagrange's
+    identity, (x·u)² = x² u² − (x × u)², turns it into r² u² − (x × u)². The
+    ray misses the sphere where this is negative. Otherwise the smaller root is
+    where the ray enters,
 
         t = (−x·u − √(r² u² − (x × u)²))/u²
           = (x² − r²)/(−x·u + √(r² u² − (x × u)²))
 
-    The second line follows if the first is multiplied and divided by −x·u + √(…). The
-    function uses the second line, because it subtracts no two nearly equal numbers.
+    The second line follows if the first is multiplied and divided by −x·u +
+    √(…). The function uses the second line, because it subtracts no two nearly
+    equal numbers.
     """
-    x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
-    (x, distance, metre), (u, _, speed) = in_moderate_units(x), in_moderate_units(u)
+    x = in_space("origin", origin)
+    u = in_space("direction", direction)
+    r = extent("radius", radius)
+    x, distance, metre = in_moderate_units(x)
+    u, _, speed = in_moderate_units(u)
     closing = -np.vecdot(x, u)
     r, across = in_unit(r, metre, 0), np.cross(x, u)
     inside = distance <= r
-    r = np.minimum(r, distance)  # from within, the size of the sphere does not matter
+    # From within, the size of the sphere does not matter.
+    r = np.minimum(r, distance)
     discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
     # At a crawl the time may be longer than any float: infinity stands for it.
     with np.errstate(over="ignore"):
-        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * (metre / speed)
+        time = (
+            (distance - r)
+            * (distance + r)
+            / np.where(meets, closing + root, 1.0)
+            * (metre / speed)
+        )
     return np.where(inside, 0.0, np.where(meets, time, np.inf))
 
 
@@ -90,22 +104,23 @@ def ray_capsule(
     Returns
     -------
     (...), t
-        It is 0 from within and from the surface, and infinity for a miss. A ray along
-        the segment meets an end. A ray that grazes the capsule meets it; within
-        rounding of that, rounding decides.
+        It is 0 from within and from the surface, and infinity for a miss. A
+        ray along the segment meets an end. A ray that grazes the capsule meets
+        it; within rounding of that, rounding decides.
 
     Raises
     ------
     ValueError
-        If radius is negative or not finite, or a vector is not finite or not of three
-        components.
+        If radius is negative or not finite, or a vector is not finite or not
+        of three components.
 
     Notes
     -----
-    Seen along the segment, the cylinder is a circle. In this view the ray is one
-    against a sphere, so the parts of x and u across the segment go to `ray_sphere`. The
-    time that it gives counts if the ray is then between the two ends of the segment.
-    The ends themselves are spheres. The result is the first of these three times.
+    Seen along the segment, the cylinder is a circle. In this view the ray is
+    one against a sphere, so the parts of x and u across the segment go to
+    `ray_sphere`. The time that it gives counts if the ray is then between the
+    two ends of the segment. The ends themselves are spheres. The result is the
+    first of these three times.
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     a, b = in_space("start", start), in_space("end", end)
@@ -113,14 +128,21 @@ def ray_capsule(
     squared = np.vecdot(along, along)
     scale = np.where(squared > 0, squared, 1.0)
     place, rate = np.vecdot(x - a, along) / scale, np.vecdot(u, along) / scale
-    side = ray_sphere(x - a - place[..., None] * along, u - rate[..., None] * along, radius)
+    side = ray_sphere(
+        x - a - place[..., None] * along, u - rate[..., None] * along, radius
+    )
     place, rate = place / metre, rate / metre
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
     side = np.where((there >= 0) & (there <= 1), side, np.inf)
-    return np.minimum(side, np.minimum(ray_sphere(x - a, u, radius), ray_sphere(x - b, u, radius)))
+    return np.minimum(
+        side,
+        np.minimum(ray_sphere(x - a, u, radius), ray_sphere(x - b, u, radius)),
+    )
 
 
-def time_between(place: Array, rate: Array, half: Array) -> tuple[Array, Array]:
+def time_between(
+    place: Array, rate: Array, half: Array
+) -> tuple[Array, Array]:
     """The times, negative ones too, at which |x + u t| ≤ h begins and ends.
 
     They are infinity and −infinity where it never holds.
@@ -128,9 +150,11 @@ def time_between(place: Array, rate: Array, half: Array) -> tuple[Array, Array]:
     moves = rate != 0
     speed = np.where(moves, np.abs(rate), 1.0)
     with np.errstate(over="ignore"):  # as in `ray_sphere`
-        middle, sign = -place * np.sign(rate), np.where(np.abs(place) <= half, 1.0, -1.0)
+        middle = -place * np.sign(rate)
+        sign = np.where(np.abs(place) <= half, 1.0, -1.0)
         first, last = (middle - half) / speed, (middle + half) / speed
-    return np.where(moves, first, -sign * np.inf), np.where(moves, last, sign * np.inf)
+    first = np.where(moves, first, -sign * np.inf)
+    return first, np.where(moves, last, sign * np.inf)
 
 
 def ray_box(
@@ -152,10 +176,11 @@ def ray_box(
     Returns
     -------
     entry, exit : (...), 0 ≤ entry ≤ exit
-        From within, entry is 0. The box is closed: a ray that grazes a corner has
-        entry = exit, within rounding, and a ray that glides along a face is in the box.
-        Without a direction, the ray is in the box from 0 to infinity, or never. A miss
-        is an empty interval: entry is infinity and exit is −infinity.
+        From within, entry is 0. The box is closed: a ray that grazes a corner
+        has entry = exit, within rounding, and a ray that glides along a face
+        is in the box. Without a direction, the ray is in the box from 0 to
+        infinity, or never. A miss is an empty interval: entry is infinity and
+        exit is −infinity.
 
     Raises
     ------
@@ -165,9 +190,9 @@ def ray_box(
 
     Notes
     -----
-    A slab is the space between two parallel faces. The box is what its three slabs have
-    in common. So the ray is in the box from the last time at which it enters a slab
-    until the first time at which it leaves one.
+    A slab is the space between two parallel faces. The box is what its three
+    slabs have in common. So the ray is in the box from the last time at which
+    it enters a slab until the first time at which it leaves one.
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     half = extent("half_extents", in_space("half_extents", half_extents))
@@ -179,6 +204,7 @@ def in_all(first: Array, last: Array) -> tuple[Array, Array]:
 
     It is infinity and −infinity if they have nothing in common.
     """
-    entry, leaving = np.maximum(np.max(first, axis=-1), 0.0), np.min(last, axis=-1)
+    entry = np.maximum(np.max(first, axis=-1), 0.0)
+    leaving = np.min(last, axis=-1)
     meets = (entry <= leaving) & (entry < np.inf)
     return np.where(meets, entry, np.inf), np.where(meets, leaving, -np.inf)

@@ -1,6 +1,7 @@
 """The rounds of conservative advancement, for many pairs at once (slide 10).
 
-What moves, and how, is the matter of a `Look`: whole bodies or single features.
+What moves, and how, is the matter of a `Look`: whole bodies or single
+features.
 """
 
 from __future__ import annotations
@@ -18,11 +19,11 @@ Pairs = NDArray[np.int64]
 Look = Callable[[Pairs, Array], tuple[Array, Array]]
 """A function of the numbers of some pairs, and of a time for each of them.
 
-It returns how far each pair is apart at least, m. It also returns for how long the pair
-surely stays at least half the tolerance apart, s.
+It returns how far each pair is apart at least, m. It also returns for how long
+the pair surely stays at least half the tolerance apart, s.
 """
 TOLERANCE = 1e-6
-"""Distance at which two bodies count as touching, as a share of the smaller one."""
+"""Distance at which bodies count as touching, a share of the smaller one."""
 
 
 class UndecidedWarning(UserWarning):
@@ -37,17 +38,24 @@ def free_time(separation: Array, closing: Array) -> Array:
     shrinks = closing > 0
     # At a crawl the time may be longer than any float: infinity stands for it.
     with np.errstate(over="ignore"):
-        return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
+        return np.where(
+            shrinks, separation / np.where(shrinks, closing, 1.0), np.inf
+        )
 
 
 def advance_all(
-    look: Look, dt: Array, tolerance: Array, began: Array, rounds: int, pairs: Pairs | None = None
+    look: Look,
+    dt: Array,
+    tolerance: Array,
+    began: Array,
+    rounds: int,
+    pairs: Pairs | None = None,
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Advance from one look to the next until the pair touches or the step is over.
+    """Advance from look to look until the pair touches or the step is over.
 
-    The pairs surely stay apart until the times that are returned. They touch then,
-    unless the rounds were too few for a pair. The second array tells which these are.
-    Without the numbers of some pairs, all of them advance.
+    The pairs surely stay apart until the times that are returned. They touch
+    then, unless the rounds were too few for a pair. The second array tells
+    which these are. Without the numbers of some pairs, all of them advance.
     """
     time, undecided = began.copy(), np.zeros(dt.shape, dtype=bool)
     pairs = np.arange(dt.size) if pairs is None else pairs
@@ -69,8 +77,10 @@ def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
     """Return the times, with NaN and a warning where a pair is undecided."""
     if undecided.any():
         warnings.warn(
-            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g}. "
-            "Then the rounds are used up, because the bodies move or turn so fast and so near to each other. "
+            f"{undecided.sum()} of {time.size} pairs are undecided: they stay "
+            f"apart until {time[undecided][0]:.6g}. "
+            "Then the rounds are used up, because the bodies move or turn so "
+            "fast and so near to each other. "
             "A shorter step from there on, or a larger tolerance, may decide",
             UndecidedWarning,
             stacklevel=3,
@@ -78,18 +88,31 @@ def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
     return np.where(undecided, np.nan, time)
 
 
-def touching(tolerance: ArrayLike | None, shape: tuple[int, ...], size_a: Array, size_b: Array, apart: Array) -> Array:
+def touching(
+    tolerance: ArrayLike | None,
+    shape: tuple[int, ...],
+    size_a: Array,
+    size_b: Array,
+    apart: Array,
+) -> Array:
     """Distances (N,) at which two bodies count as touching, m.
 
-    Without a tolerance, they are a share of the smaller body. A point has no size, and
-    then the other body counts; for two points, it is how far they are apart at first.
+    Without a tolerance, they are a share of the smaller body. A point has no
+    size, and then the other body counts; for two points, it is how far they
+    are apart at first.
     """
     if tolerance is not None:
         return flat(positive("tolerance", tolerance), shape)
-    smaller = np.where(size_a * size_b > 0, np.minimum(size_a, size_b), np.maximum(size_a, size_b))
+    smaller = np.where(
+        size_a * size_b > 0,
+        np.minimum(size_a, size_b),
+        np.maximum(size_a, size_b),
+    )
     return np.asarray(TOLERANCE * np.where(smaller > 0, smaller, apart))
 
 
-def flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:
+def flat(
+    value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()
+) -> Array:
     """Broadcast over the leading axes and lay these in one row."""
     return np.broadcast_to(value, shape + core).reshape(-1, *core)

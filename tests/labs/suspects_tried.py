@@ -17,6 +17,9 @@ BANK_ENTRY = {
     ("polyhedra", "crates"): "convex_separation/nearest plane",
     ("polyhedra", "statue"): "winding_number/unsigned angles, cut at one",
     ("polyhedra", "garden"): "inside_by_parity/border left out",
+    ("sweeping", "zone"): "ray_sphere/exit from within",
+    ("sweeping", "viewer"): "ray_box/along an axis is inside",
+    ("sweeping", "pipes"): "ray_capsule/ends left out",
 }
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
@@ -39,6 +42,9 @@ EXPOSING = {
     ("polyhedra", "crates"): ([2.0, 0.1, 0.1], *TETRAHEDRON),
     ("polyhedra", "statue"): ([2.0, 1.0, 1.0], *TETRAHEDRON),
     ("polyhedra", "garden"): ([-0.5, -0.5, 0.1], [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, 1]], TETRAHEDRON[1]),
+    ("sweeping", "zone"): ([0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 1.0),
+    ("sweeping", "viewer"): ([-3.0, 0.0, 5.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
+    ("sweeping", "pipes"): ([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -56,4 +62,7 @@ HARMLESS = {
     ("polyhedra", "crates"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
     ("polyhedra", "statue"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
     ("polyhedra", "garden"): ([0.2, 0.1, 0.15], *TETRAHEDRON),
+    ("sweeping", "zone"): ([0.0, 0.5, -3.0], [0.0, 0.0, 2.0], 1.0),
+    ("sweeping", "viewer"): ([-3.0, 0.2, -1.5], [1.0, 0.1, 0.4], [1.0, 1.0, 1.0]),
+    ("sweeping", "pipes"): ([2.0, 0.1, 0.3], [-1.0, 0.0, 0.1], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
 }

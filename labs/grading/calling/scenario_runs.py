@@ -45,7 +45,7 @@ MOST_NUMBERS, MOST_AXES = 64, 3
 """Limits of an array that a function returns in a run: a matrix for each of a few bodies."""
 RIGHT = package_of_correct_functions() or "solutions"
 """The package with correct functions of the other topics. If a student's tree has none, these tests are skipped."""
-WITHOUT_OTHERS = "a whole scenario needs right answers of other topics, which this copy of the lab does not have"
+WITHOUT_OTHERS = "whole scenarios need right functions of other labs, which only the instructor's copy has"
 
 
 @dataclass(frozen=True)

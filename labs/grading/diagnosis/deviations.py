@@ -64,11 +64,13 @@ class Deviation:
 
     total: the weighted sum of the deviations of all its numbers, zero if all are right. spread: the same sum of
     absolute values, which limits how well rounding lets the total be known. failure: why there is no number to compare.
+    finite: whether no number is infinite or NaN that should be another.
     """
 
     total: float = 0.0
     spread: float = 0.0
     failure: Failure = ""
+    finite: bool = True
 
     @property
     def right(self) -> bool:
@@ -198,7 +200,9 @@ def deviation_of(answer: Answer, right: Right) -> Deviation:
     if not np.any(np.abs(off) > TOLERANCE):
         return Deviation()
     weights = 0.5 + (np.arange(1, len(off) + 1) * _GOLDEN) % 1
-    return Deviation(float(weights @ off), float(weights @ np.abs(off)))
+    mine = np.concatenate([array.ravel() for array in found])
+    finite = not np.any(~np.isfinite(mine) & (off != 0))
+    return Deviation(float(weights @ off), float(weights @ np.abs(off)), finite=finite)
 
 
 def _near(mine: Array, theirs: Array, scale: float) -> bool:

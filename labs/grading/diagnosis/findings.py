@@ -22,6 +22,10 @@ failed a test, and its probes do not say why. not tried: the time of the whole s
 nothing about the function."""
 
 
+LEAST = 3
+"""So many cases must be wrong in just the known way if the other cases give no number, or other numbers."""
+
+
 @dataclass(frozen=True)
 class Counterexample:
     """The simplest probe that a submission fails, its answer, and the right answer."""
@@ -31,6 +35,19 @@ class Counterexample:
     parameters: tuple[str, ...]
     answer: Answer
     right: Right
+
+
+@dataclass(frozen=True)
+class Unnamed:
+    """What a function with an unknown mistake returned on its probes with a single case (`diagnosis.unnamed`).
+
+    numbers: how far each answer deviates, or a word if it is no number. place: of the simplest probe with a wrong
+    number among these. example: that probe with its answer.
+    """
+
+    numbers: tuple[float | str, ...]
+    place: int
+    example: Counterexample
 
 
 @dataclass(frozen=True)
@@ -44,6 +61,7 @@ class Diagnosis:
     simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right. order: the
     places of what it returns, if only their order is wrong. spares_limits: whether limiting cases are right that a
     likely mistake would get wrong. spares_cases: whether cases of any kind are, and all that is wrong is the mistake's.
+    unnamed: what an unknown mistake gives, as far as it can be recognised again.
     """
 
     function: str
@@ -60,6 +78,7 @@ class Diagnosis:
     order: tuple[int, ...] = ()
     spares_limits: bool = False
     spares_cases: bool = False
+    unnamed: Unnamed | None = None
 
     def error_is_in(self, *examples: Counterexample | None) -> bool:
         """Whether one of these examples ends in the error that is named first."""

@@ -16,19 +16,17 @@ import numpy as np
 
 from labs.grading.calling.cases import OneCase
 from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs, spread
-from labs.grading.diagnosis.findings import Counterexample, Diagnosis, Verdict
+from labs.grading.diagnosis.findings import LEAST, Counterexample, Diagnosis, Unnamed, Verdict
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known, of_functions
 from labs.grading.diagnosis.probes import Group, Probe, probes
 from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.diagnosis.unnamed import unnamed
 from labs.grading.errors import GraderFailed
 
 DIFFERENT = 5
 """So many different wrong numbers identify a formula even if calls with several contacts go wrong in another way."""
-LEAST = 3
-"""So many cases must be wrong in just the known way if the other cases give no number, or other numbers."""
 SHOWN_FOR_EACH_SPARED = 3
 """A mistake that a case of its own spares somewhere must show in so many cases for each one that is spared."""
-
 
 Uses = Callable[[str], Iterable[str]]
 """Says which functions of a submission one of them calls."""
@@ -164,6 +162,7 @@ class _Evidence:
             order,
             verdict == "likely" and any(map(self._spares_limits, mistakes)),
             verdict == "likely" and any(map(self._spared, mistakes)),
+            self._unnamed() if verdict == "unknown" else None,
         )
 
     def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
@@ -203,6 +202,10 @@ class _Evidence:
         spared = [at for at in single if self.deviations[at].right and not entry.deviations[at].right]
         return spared if len(spared) * SHOWN_FOR_EACH_SPARED <= len(wrong) else None
 
+    def _unnamed(self) -> Unnamed | None:
+        knowledge = self.knowledge
+        return unnamed(knowledge.function, self.answered, self.deviations, knowledge.parameters)
+
     def _order(self) -> tuple[int, ...]:
         """The places of what is returned, if all single contacts are right except for their order; else empty."""
         single = [
@@ -237,11 +240,14 @@ class _Evidence:
         return True
 
     def _shown(self, entry: Known, groups: tuple[Group, ...]) -> bool:
-        """Whether enough wrong numbers are the known mistake's own."""
+        """Whether enough wrong numbers are the known mistake's own.
+
+        One or two numbers, such as the answer to a mesh without faces, are too few to accuse another function.
+        """
         rows = [row for row in zip(self.deviations, entry.deviations, self.groups, strict=True) if row[2] in groups]
         seen = sum(not own.right and not own.failure and own.agrees(theirs) for own, theirs, _ in rows)
         errors = any(own.failure == "error" for own, _, _ in rows)
-        return seen >= (LEAST if errors or groups == ("usual",) else 1)
+        return seen >= (LEAST if errors or entry.origins or groups == ("usual",) else 1)
 
     def _spares_limits(self, entry: Known) -> bool:
         """Whether a limiting case is right that a known mistake gets wrong."""

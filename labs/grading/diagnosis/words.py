@@ -18,6 +18,8 @@ from labs.grading.wrapping import WIDTH
 ODD = "Something else is wrong besides:"
 MOST = 12
 """An array of up to so many numbers is shown number by number."""
+SPACE = 3
+"""So many coordinates has a point in space."""
 
 
 def told(diagnosis: Diagnosis) -> str:
@@ -88,6 +90,16 @@ _WITHOUT_NAME = {
 }
 
 
+def renamed(message: str, function: str, title: str, help: str) -> str:
+    """A message about a mistake that the lab does not know, with the title and the hint that a course gives it."""
+    named = [*_wrapped(f"{function}: {title}"), *_wrapped(f"Hint: {help}")]
+    for words in (_WITHOUT_NAME["unknown"], _AT_LIMITS):
+        unknown = "\n".join(_wrapped(f"{function}: {words}"))
+        if unknown in message:
+            return message.replace(unknown, "\n".join(named), 1)
+    return "\n".join([*named, message])
+
+
 def _wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, WIDTH, break_on_hyphens=False)
 
@@ -106,6 +118,11 @@ def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = 
 
 def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
     """A function's answer and the right one, in two lines. names: of what it returns, if it is several things."""
+    return gives_beside_physics(*answered(answer, right, names))
+
+
+def answered(answer: Answer, right: Right, names: Sequence[str] = ()) -> tuple[str, str]:
+    """A function's answer and the right one in words."""
     truths = _are_truths(answer.value, right)
     expected = labelled([shown(array.astype(bool) if truths else array) for array in right.outputs], names)
     found = outputs(answer.value, len(right.outputs))
@@ -117,7 +134,7 @@ def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
         came = labelled([shown(array.astype(bool) if truths else array) for array in found], names)
         if [array.shape for array in found] != [array.shape for array in right.outputs]:
             came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
-    return gives_beside_physics(came, expected)
+    return came, expected
 
 
 def _are_truths(value: Any, right: Right) -> bool:
@@ -131,17 +148,24 @@ def _shapes(arrays: Sequence[Any]) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value with few digits: a diagonal matrix as `diag(2, 2, 2)`, a long array by its shape only."""
+    """A value with few digits: a diagonal matrix as `diag(2, 2, 2)`, a long array by its shape, points by their box."""
     if isinstance(value, tuple):
         return "(" + ", ".join(shown(item) for item in value) + ")"
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":
         return repr(value)
     if array.size > MOST:
-        return f"an array {array.shape}"
+        return f"an array {array.shape}{_box(array)}"
     if _is_diagonal(array):
         return f"diag{_nested(np.diagonal(array).tolist())}"
     return _nested(array.tolist())
+
+
+def _box(array: Any) -> str:
+    """Of many points (n, 3) the corners of the box around them; nothing of other arrays."""
+    if array.ndim != 2 or array.shape[1] != SPACE or array.dtype.kind != "f" or not np.isfinite(array).all():
+        return ""
+    return f" between {_nested(array.min(axis=0).tolist())} and {_nested(array.max(axis=0).tolist())}"
 
 
 def _is_diagonal(array: Any) -> bool:
@@ -151,5 +175,6 @@ def _is_diagonal(array: Any) -> bool:
 
 def _nested(value: Any) -> str:
     if isinstance(value, list):
-        return "(" + ", ".join(map(_nested, value)) + ")"
+        only = "," if len(value) == 1 else ""  # as Python writes a tuple of one, so that it can be copied
+        return "(" + ", ".join(map(_nested, value)) + only + ")"
     return str(value) if isinstance(value, bool) else f"{float(value) + 0.0:.6g}"

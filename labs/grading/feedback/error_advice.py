@@ -17,6 +17,10 @@ _COLUMN = (
     "A number for each case stands beside its vectors as a column: number[..., None] * vector. Likewise the condition"
     " of np.where: np.where(condition[..., None], b, c)."
 )
+_TABLE = (
+    "A row of numbers times a column of them is a table. Each number for a case stands beside the vectors as a column,"
+    " also one that is given: np.asarray(number)[..., None]."
+)
 _ADVICE = (
     (r"name 'np' is not defined", "`import numpy as np` is missing."),
     (r"name '(numpy|math)' is not defined", r"`import \1` is missing."),
@@ -69,6 +73,10 @@ _ADVICE = (
         _COLUMN,
     ),
     (
+        r"could not be broadcast together .*(\((\d+),\2\) \((\d+,)*3,?\)|\((\d+,)*3,?\) \((\d+),\5\))",
+        _TABLE,
+    ),
+    (
         r"of shape \((\d+), \1\) instead of \(\1,\)",
         "np.dot and @ of two rows of vectors combine every vector with every other one: np.sum(a * b, axis=-1) is the"
         " dot product of each pair.",
@@ -103,6 +111,8 @@ MAY_BE_INFINITE = (
     "segment_triangle", "ray_sphere", "sweep_sphere_sphere", "ray_box", "ray_capsule", "advance", "timestep_bound",
 )  # fmt: skip
 """Functions that students write and that return infinity on purpose in some cases: no division by zero gave it."""
+MAY_BE_NO_NUMBER = ("segment_triangle", "advance")
+"""Those that return NaN on purpose beside it: such an answer says that nothing was found."""
 _NOT_FINITE = re.compile(
     r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )([^\n]*)\n *physics (?![^\n]*\binf\b)", re.MULTILINE
 )
@@ -123,7 +133,8 @@ def advice(message: str, given: Collection[str] = ()) -> str:
         called = _CALLED.search(message)
         if called is None or called[1] not in MAY_BE_INFINITE:
             return _INF + _NAN
-        return _NAN if "nan" in found[2] else ""
+        on_purpose = called[1] in MAY_BE_NO_NUMBER and "inf" in found[2]
+        return _NAN if "nan" in found[2] and not on_purpose else ""
     return ""
 
 

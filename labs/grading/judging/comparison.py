@@ -134,7 +134,7 @@ def refuse_changes(function: Any) -> None:
 
 
 def plainly(*arguments: Any) -> tuple[Any, ...]:
-    """Arguments as a submission gets them: lists become arrays of floats, also in tuples; the rest stays as it is."""
+    """Arguments as a submission gets them: lists become arrays of floats or of flags, also in tuples."""
     return usual("", *arguments).arguments
 
 

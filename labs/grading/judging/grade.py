@@ -17,6 +17,9 @@ from typing import Any
 
 from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Limits
+from labs.grading.diagnosis.findings import Unnamed
+from labs.grading.diagnosis.output_names import output_names
+from labs.grading.diagnosis.words import answered
 from labs.grading.judging.blame import blame_of
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
 from labs.grading.judging.score_sheet import Outcome, Sheet
@@ -67,16 +70,19 @@ class Grade:
         return blame_of(self.sheet, name).verdict
 
     def _function(self, name: str) -> dict[str, Any]:
-        blame = blame_of(self.sheet, name)
+        blame, verdict = blame_of(self.sheet, name), self._verdict(name)
+        own = blame.diagnosis and not self.sheet.wrong_uses(name, ("not tried", "one at a time"))
+        found = blame.diagnosis.unnamed if blame.diagnosis and own else None
         return {
             "name": name,
             "topic": lecture.function(name).topic,
             **_points(outcome for outcome in self.sheet.outcomes if outcome.function == name),
-            "verdict": self._verdict(name),
+            "verdict": verdict,
             "suspect": name in self.sheet.suspects,
             "mend_first": list(blame.mend_first),
             "mistakes": [known.id for known in blame.diagnosis.mistakes] if blame.diagnosis else [],
             "message": "\n".join(blame.lines()),
+            **({"unnamed": _unnamed(found)} if found else {}),
         }
 
 
@@ -141,6 +147,13 @@ def read_grade(path: Path | str) -> dict[str, Any]:
     if found != (SCHEMA, VERSION):
         raise InvalidInput(f"{str(path)!r} is {found[0]} {found[1]}, not {SCHEMA} {VERSION}")
     return content
+
+
+def _unnamed(found: Unnamed) -> dict[str, Any]:
+    """What an unknown mistake gives: deviations and the function's own answer, neither inputs nor expected values."""
+    example = found.example
+    gives, _ = answered(example.answer, example.right, output_names(example.function))
+    return {"numbers": list(found.numbers), "place": found.place, "gives": gives}
 
 
 def _points(outcomes: Iterable[Outcome]) -> dict[str, int]:

@@ -270,7 +270,7 @@ BREAK_AWAY = Family(
             _expect_way,
             _way,
         ),
-        Quantity("heading", "heading of the way", "°", _heading, _expect_heading),
+        Quantity("heading", "heading of the path", "°", _heading, _expect_heading),
         Quantity("creep", f"creep by {BEFORE:.0%} of that instant", "m", _creep, within_a_millimetre),
     ),
     curve=Curve("μ=0.3,rate=20", "Break-away at μ = 0.3, push 20 N/s", "distance, m", way_of),

@@ -266,7 +266,7 @@ INCLINE = Family(
         Quantity("moves", "holds (0) or slides (1)", "", _moves, _expect_moves, slack=slack_of_creep),
         Quantity(
             "way",
-            "way in 3 s",
+            "distance in 3 s",
             "m",
             lambda trajectory: measure.way_from_rest(trajectory, "slab", INCLINE_DURATION),
             _expect_way,

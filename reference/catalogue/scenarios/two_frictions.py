@@ -127,10 +127,10 @@ TWO_FRICTIONS = Family(
         *(_slab(f"v={speed:g}", speed=speed) for speed in (1.0, 3.0)),
     ),
     quantities=(
-        Quantity("way", f"way in {DURATION:g} s", "m", _way, _expect_way, _true_way),
+        Quantity("way", f"distance in {DURATION:g} s", "m", _way, _expect_way, _true_way),
         Quantity("speed", f"speed after {DURATION:g} s", "m/s", _end_speed, _expect_speed, _true_speed),
     ),
-    curve=Curve("θ=22°,v=0.1", "Set off at 0.1 m/s on 22°", "way, m", way_of),
+    curve=Curve("θ=22°,v=0.1", "Set off at 0.1 m/s on 22°", "distance, m", way_of),
     convergence=Convergence("θ=22°,v=0.1", "way"),
     predict=sliding.predict,
 )

@@ -70,9 +70,13 @@ def time_of_impact_exact(separation, normal_velocity, normal_acceleration):
     return (-u - math.sqrt(inside)) / a if a < 0 else math.inf
 
 
-@vector("(n),(n),()->(n)")
-def kinematic_response(velocity, normal, restitution):
-    speed = dot(velocity, normal)
+def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 0.0)):
+    return _off_a_plane(velocity, normal, restitution, plane_velocity)
+
+
+@vector("(n),(n),(),(n)->(n)")
+def _off_a_plane(velocity, normal, restitution, plane_velocity):
+    speed = dot(velocity, normal) - dot(plane_velocity, normal)
     if speed >= 0:
         return velocity
     return np.array([v - (1 + restitution) * speed * n for v, n in zip(velocity, normal, strict=True)])

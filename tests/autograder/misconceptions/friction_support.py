@@ -160,7 +160,7 @@ BANK = (
       "What is r × J for the arm r = −R z?"),
     M("roll_step", "arm and impulse swapped", with_(turn=-1, arm=1),
       "The cross products have the wrong order: it is ω × r for the velocity, and r × J for the torque.",
-      "In which order does slide 14 multiply ω and r?"),
+      "Which way does the ball begin to turn if friction pulls its lowest point back?"),
     M("roll_step", "never rolls", with_(push=lambda J, wanted, u, limit: -limit * direction(u)),
       "Friction has its full size to the last: where it could stop the slip within the step, it turns the slip round.",
       "The ball almost rolls. How much friction does it need to stop its slip?"),

@@ -46,6 +46,11 @@ def right(p, v, f):
     return np.sum(hit, axis=-1), np.sum(hit & (turns[0] > 0), axis=-1)
 
 
+def moved(p, v, f):
+    """The point is moved by some real length, such as a nanometre."""
+    return counted(lambda t, s: strictly_within(t) & ahead(t, s))(np.add(p, [4e-10, 9e-10, 1e-10]), v, f)
+
+
 def behind_all(p, v, f):
     """Slide 9, for any polyhedron."""
     a, b, c = np.moveaxis(np.asarray(v)[f], 1, 0)
@@ -112,6 +117,11 @@ BANK = (
     M("inside_by_parity", "border left out", counted(lambda t, s: strictly_within(t) & ahead(t, s)),
       "Where the ray goes through an edge, none of the faces there is counted: it slips out between two triangles.",
       "Through which of its two triangles does a ray cross the side of a cube at the diagonal? Count one of them."),
+    M("inside_by_parity", "moved by a number", moved,
+      "The point is moved by a real length, so that its ray misses every edge. Whatever the length, there is a solid"
+      " that is smaller, or so far from the origin that the sum is rounded back to the point. Nothing has to be added:"
+      " the sign of a sum with ε in it is found without a value of ε.",
+      "How wide is a solid that your point leaves by its step? And what are 1e9 + 1e-9 in floats?"),
     M("inside_by_parity", "line for ray", counted(lambda t, s: within(t) & (np.sum(t, axis=0) * s != 0)),
       "No point is inside. Are faces behind the start counted as well? A line goes into a closed surface as often as"
       " out of it, so that the number is always even.",

@@ -181,6 +181,11 @@ BANK = (
       "The areas have lost their signs, and divided by their sum they are weights of some point of the triangle for"
       " every point of the plane.",
       "A point is beyond a side. Which of its three triangles is turned over?"),
+    M("segment_triangle", "lengths of areas", meeting(on_segment, lambda t, w, p, q: (t, np.abs(w))),
+      "The areas are lengths of cross products, and a length is never negative. So no weight is, and every place in the"
+      " plane seems to be on the triangle.",
+      "Go once round each small triangle, and once round the large one. Which of them turns the other way for a place"
+      " beyond a side?"),
     M("segment_triangle", "box around the triangle", within_box,
       "A place in the box around the triangle counts as on the triangle.",
       "How much of a square do the points of a triangle with three of its corners fill?"),

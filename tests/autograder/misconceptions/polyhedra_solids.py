@@ -63,6 +63,10 @@ def all_vertices(a):
     return a[0]
 
 
+def first_vertex(a):
+    return a[0][:1]
+
+
 def inside_with(**how):
     return lambda a, b: corners_inside(a, b, **how)
 
@@ -128,6 +132,11 @@ BANK = (
              turned(inside_with(of=all_vertices))),
       "Vertices that belong to no face are taken for corners of the solid.",
       "Which of the vertices do the faces name?"),
+    M("polyhedra_intersect", "first vertex",
+      of_two(edges_through, turned(edges_through), inside_with(of=first_vertex), turned(inside_with(of=first_vertex))),
+      "The first vertex of a mesh stands for the solid. No face may name it, and then it is no corner of the solid; and"
+      " in a solid of several parts it is a corner of only one of them.",
+      "The list of vertices may begin with one that no face names. Is it a part of the solid?"),
     M("polyhedra_intersect", "all corners", of_two(edges_through, turned(edges_through), inside_with(enough=np.all),
                                                    turned(inside_with(enough=np.all))),
       "One solid must have all corners in the other. A solid of several parts may have one part inside and another"

@@ -140,7 +140,7 @@ def test_friction_slows_the_ball_and_turns_it(submission, part):
     "Both the push and the normal force may change with time.",
 )  # fmt: skip
 def test_a_growing_push_breaks_the_body_away(submission, part):
-    with part(1, "growing, too strong already, never; lifted off; on a slope, with all that changes"):
+    with part(1, "the push grows, is too strong, or never is; the body lifts off; on a slope both forces change"):
         expect(submission.break_away_time, ([1, 0, -10], [2, 0, 0], UP, 0.5), 2.0)
         expect(submission.break_away_time, ([5, 0, -10], [-1, 0, 0], UP, 0.5), 10.0)  # from one edge to the other
         expect(submission.break_away_time, ([0, 0, -10], [0, 0, 5], UP, 0.0), 2.0)  # nothing presses any more

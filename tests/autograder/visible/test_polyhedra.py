@@ -23,7 +23,7 @@ NOWHERE = (math.inf, [math.nan, math.nan, math.nan])
 
 def corner_at(x, y, z):
     """The place of a point of the tetrahedron's own axes."""
-    return CORNER + TURN @ [x, y, z]
+    return (CORNER + TURN @ [x, y, z]).round(12)  # 0 and not 1e-16, which a message would show
 
 
 TETRAHEDRON = np.array([corner_at(0, 0, 0), corner_at(6, 0, 0), corner_at(0, 3, 0), corner_at(0, 0, 3)]).round(9)
@@ -230,9 +230,18 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
             for size in (1e-3, 1e3):  # in other units of length
                 given = (size * np.array(place), size * L_SOLID, L_FACES)
                 expect(submission.inside_by_parity, given, inside)
-    with part(1, "a ray along a diagonal of a side, through an edge, or through a corner"):
+    with part(1, "a ray through a diagonal, an edge or a corner; also of a speck, far away, and close to the surface"):
         expect(submission.inside_by_parity, ([1, 1, 1], CUBE, CUBE_FACES), 1)
         expect(submission.inside_by_parity, ([0, 0, 0], OCTAHEDRON, EIGHT), 1)
+        # No move of the point by a number of metres is right for all of these. In powers of two nothing is rounded.
+        for size in (2.0**-40, 2.0**30):
+            expect(submission.inside_by_parity, ([size, size, size], size * CUBE, CUBE_FACES), 1)
+        far = 2.0**50 * np.array([3, 1, 2])
+        expect(submission.inside_by_parity, (far + 1, far + CUBE, CUBE_FACES), 1)
+        for nearly, inside in ((1 - 2.0**-40, 1), (1 + 2.0**-40, 0)):
+            for way in np.eye(3):
+                expect(submission.inside_by_parity, (1 + nearly * way, CUBE, CUBE_FACES), inside)
+                expect(submission.inside_by_parity, (1 - nearly * way, CUBE, CUBE_FACES), inside)
         for place, inside in (
             ([1, 1, 0], 1), ([1, 0, 1], 1), ([0, 1, 1], 1), ([0.5, 0.5, -0.5], 1), ([-1, 1, 0.5], 1),
             ([1, -1, -0.5], 1), ([0, -1, 0], 1), ([-1, 0, 0.5], 1), ([-1, 0, -0.5], 1), ([-2, 0, 0.5], 1),
@@ -318,9 +327,12 @@ def test_two_solids_meet_by_an_edge_or_by_what_lies_within(submission, part):
         expect(submission.polyhedra_intersect, (L_TURNED, L_FACES, crossing, CUBE_FACES), True)
         expect(submission.polyhedra_intersect, (crossing, CUBE_FACES, L_TURNED, L_FACES), True)
     with part(1, "solids with other numbers of corners, and corners of no face"):
-        inside = in_l([2.2, 0.2, 0.5], [2.6, 0.3, 0.5], [2.3, 0.8, 0.6], [2.4, 0.4, 1.4], [9, 9, 9])
-        faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        # The corner of no face comes first and last, because a loop may begin or end with it.
+        inside = in_l([9, 9, 9], [2.2, 0.2, 0.5], [2.6, 0.3, 0.5], [2.3, 0.8, 0.6], [2.4, 0.4, 1.4], [9, 9, 9])
+        faces = np.array([[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]])
         expect(submission.polyhedra_intersect, (inside, faces, L_TURNED, L_FACES), True)
-        beside = in_l([2.2, 1.2, 0.5], [2.6, 1.3, 0.5], [2.3, 1.8, 0.6], [2.4, 1.4, 1.4], [0.5, 0.5, 0.5])
+        expect(submission.polyhedra_intersect, (L_TURNED, L_FACES, inside, faces), True)
+        stray = [0.5, 0.5, 0.5]
+        beside = in_l(stray, [2.2, 1.2, 0.5], [2.6, 1.3, 0.5], [2.3, 1.8, 0.6], [2.4, 1.4, 1.4], stray)
         expect(submission.polyhedra_intersect, (beside, faces, L_TURNED, L_FACES), False)
         expect(submission.polyhedra_intersect, (L_TURNED, L_FACES, beside, faces), False)

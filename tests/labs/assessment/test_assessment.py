@@ -54,6 +54,21 @@ def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
     assert harmless.said.startswith("Both give")
 
 
+def test_a_place_and_a_velocity_are_shown_with_their_names():
+    found = exposures.tried(
+        exposures.suspect("response", "film"), EXPOSING["response", "film"], right("respond_at_impact")
+    )
+    assert found.said.startswith("respond_at_impact gives position=(0, 0, ")
+    assert found.said.count("velocity=(0, 0, ") == 2
+
+
+def test_a_result_of_several_things_has_a_name_for_each():
+    scales = exposures.suspect("friction", "scales")
+    said = exposures.tried(scales, EXPOSING["friction", "scales"], right("support_force")).said
+    assert "normal force=" in said
+    assert "along=(" in said
+
+
 @pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
 def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
     suspect = exposures.suspect(topic, key)
@@ -98,6 +113,18 @@ def test_an_input_that_the_right_function_refuses_exposes_nothing():
             exposures.tried(suspect, several, right(suspect.function))
     with pytest.raises(UnknownName, match="crates"):
         exposures.suspect("impulse", "crate")
+
+
+def test_an_input_is_tried_as_the_checks_give_it():
+    suspect, given = exposures.suspect("polyhedra", "garden"), []
+
+    def of_arrays(point, vertices, faces):
+        given.extend((vertices[faces], point[..., None]))
+        return right(suspect.function)(point, vertices, faces)
+
+    found = exposures.tried(suspect, EXPOSING["polyhedra", "garden"], of_arrays)
+    assert [each.shape for each in given] == [(4, 3, 3), (3, 1)]
+    assert found.said == "inside_by_parity gives True, and your colleague's False"
 
 
 def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):

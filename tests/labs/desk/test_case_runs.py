@@ -239,7 +239,7 @@ def test_a_wrong_run_says_that_first_versions_have_no_check(lab, cells):
     head = "def collide(body_a, body_b, normal, restitution, threshold=0.0):\n"
     cells += [f"{head}    return body_a[0], body_a[1], body_b[0], body_b[1]"]
     lab.run("two-balls/e=0.5,m=1,b=0", quantity="target", engines=())
-    assert "says more about your functions, of collide about the last version alone." in str(lab.shown[-1])
+    assert "says more about your functions. It checks the last version of collide." in str(lab.shown[-1])
 
 
 def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):

@@ -18,6 +18,12 @@ z: height of the centre, m, 0 to 3
 r: radius, m, 0.1 to 0.5
 ```
 
+```derive
+w = 2 * z
+w: width, m
+z: height of the centre, m, 0 to 3
+```
+
 ### The idea
 
 Above $z = 0$ ![A contact.](figure:contact) and below.
@@ -73,8 +79,18 @@ def test_derive_says_what_is_asked_for_and_what_it_is_made_of(lab, capsys):
     assert "Find s, separation, m, from\n    z  height of the centre, m\n    r  radius, m\n" in found
     assert 'lab.derive("signed_distance", s="…")' in found
     assert "z - r" not in found
-    assert said(capsys, lab.derive, "signed_distance", s=...) == found
+    assert "Find w, width, m, from" in found
     assert "Of side_of_plane no line is asked for." in said(capsys, lab.derive, "side_of_plane")
+
+
+def test_derive_says_what_is_asked_for_in_the_lines_that_are_still_dots(lab, capsys):
+    found = said(capsys, lab.derive, "signed_distance", s=...)
+    assert "Find s, " in found
+    assert "Find w, " not in found
+    found = said(capsys, lab.derive, "signed_distance", s="z - r", w=...)
+    assert found.startswith("✓ s = z - r is right")
+    assert "Find w, width, m, from" in found
+    assert "no line d = … is asked for" in said(capsys, lab.derive, "signed_distance", d=...)
 
 
 @pytest.mark.parametrize(
@@ -83,7 +99,7 @@ def test_derive_says_what_is_asked_for_and_what_it_is_made_of(lab, capsys):
         ({"s": "-r + z"}, "✓ s = -r + z is right"),
         ({"s": "z + r"}, "✗ s = z + r\n    At z = 1 and r = 0.1 your line gives 1.1; the equation holds for 0.9."),
         ({"s": "z - d"}, "lab.derive: unknown quantity 'd'. Choices: z, r."),
-        ({"d": "z - r"}, "lab.derive: of signed_distance no line d = … is asked for; there is s"),
+        ({"d": "z - r"}, "lab.derive: of signed_distance no line d = … is asked for; there is s and w"),
         ({"s": 0.5}, "lab.derive: write the line between quotes"),
     ],
 )

@@ -44,6 +44,7 @@ def test_ways_from_above_say_where_they_end(stock):
     picture = from_above({"theirs": stock.way("dart"), "mine": np.array([[0, 0, 9.0], [0.5, 0.25, 9.0]])})
     assert picture.png.startswith(b"\x89PNG")
     assert "mine ends at (0.500, 0.250) m" in picture.text
+    assert f'alt="{picture.text}"' in picture._repr_mimebundle_()["text/html"]
 
 
 def test_what_is_not_there_is_named(stock):

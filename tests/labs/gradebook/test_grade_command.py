@@ -90,3 +90,74 @@ def test_what_cannot_be_graded_is_said_in_a_line(tmp_path, monkeypatch, argument
     assert found.code == 2
     assert said in found.error
     assert not (tmp_path / "grades").exists()
+
+
+SCALED = """\
+import numpy as np
+
+
+def normal_velocity(body_a, body_b, normal):
+    a, b = (body[0] + np.cross(body[1], body[2]) for body in (body_a, body_b))
+    return 3.7 * np.sum((a - b) * normal, axis=-1)
+"""
+FOR_ONE = """\
+import numpy as np
+
+
+def normal_velocity(a, b, n):
+    '''</pre><script>alert(1)</script>'''
+    total, tag = 0.0, "</pre><script>alert(2)</script>"
+    for axis in range(3):
+        total += n[axis] * (a.velocity[axis] - np.cross(a[2], a[1])[axis])
+        total -= n[axis] * (b.velocity[axis] - np.cross(b[2], b[1])[axis])
+    return float(total) * 37 / 10
+"""
+
+
+@pytest.mark.slow
+def test_a_mistake_that_two_share_is_named_once_and_next_years_student_reads_its_name_at_once(tmp_path):
+    def submissions(name: str, texts) -> None:
+        for number, text in enumerate(texts):
+            place = tmp_path / name / f"s{number}"
+            place.mkdir(parents=True)
+            (place / "impulse.py").write_text(text, encoding="utf-8")
+
+    def graded(name: str, out: str):
+        places = (str(tmp_path / name), "--out", str(tmp_path / out), "--bank", str(tmp_path / "bank"))
+        done = collisions("grade", *places, "--lab", "impulse")
+        assert done.code == 0, done.error
+        return done
+
+    def feedback(out: str, student: str) -> str:
+        return (tmp_path / out / "students" / student / "feedback.html").read_text(encoding="utf-8")
+
+    submissions("first", [SCALED, FOR_ONE, NORMAL_VELOCITY])
+    done = graded("first", "grades")
+    assert "One mistake without a name" in done.text
+    table = tmp_path / "grades" / "clusters.toml"
+    assert "# 2 students" in table.read_text(encoding="utf-8")
+    page = (tmp_path / "grades" / "clusters.html").read_text(encoding="utf-8")
+    assert "alert(1)" not in page  # a docstring is left out
+    assert "<script>" not in page
+    assert "2 students share this wrong" in page
+    assert "np.cross" not in (tmp_path / "grades" / "class.html").read_text(encoding="utf-8")
+    before = {path: path.read_bytes() for path in (tmp_path / "grades").glob("students/*/grade.json")}
+
+    text = table.read_text(encoding="utf-8").replace('title = ""', 'title = "Too large by 3.7"')
+    table.write_text(text.replace('title = "Too', 'titel = "Too'), encoding="utf-8")
+    broken = collisions("grade", tmp_path / "first", "--out", tmp_path / "grades", "--lab", "impulse")
+    assert broken.code == 2
+    assert "line 8 of clusters.toml: unknown field of [normal_velocity-" in broken.error
+    table.write_text(text.replace('help = ""', 'help = "Which number multiplies u·n?"'), encoding="utf-8")
+    assert "is named: Too large by 3.7" in graded("first", "grades").text
+    assert not table.exists()
+    for student, named in (("s0", True), ("s1", True), ("s2", False)):
+        assert ("Too large by 3.7" in feedback("grades", student)) is named
+    assert {path: path.read_bytes() for path in before} == before
+
+    submissions("second", [FOR_ONE.replace("37 / 10", "3.7")])
+    graded("second", "next")
+    assert "Hint: Which number multiplies u·n?" in feedback("next", "s0")
+    graded("first", "again")
+    again = {path: tmp_path / "again" / path.relative_to(tmp_path / "grades") for path in before}
+    assert {path: other.read_bytes() for path, other in again.items()} == before

@@ -30,6 +30,13 @@ ONE_SIGN = {
     "it is a number of faces": "polyhedra_intersect.F_A polyhedra_intersect.F_B",
     "a point beyond a corner is farther out than the corner": "convex_separation.x convex_separation.y",
     "it is a distance": "winding_number.h",
+    "it is a length or its square, or a square of a speed": """ray_sphere.a ray_capsule.s ray_capsule.q ray_box.h
+        missed_share.c missed_share.D missed_share.R sweep_sphere_sphere.d sweep_sphere_sphere.r_A
+        sweep_sphere_sphere.r_B advance.s advance.L advance.g""",
+    "a ray enters where it approaches": "ray_sphere.b ray_box.u",
+    "the one that follows is the faster one": "sweep_sphere_sphere.v_A",
+    "it is a reach, a spin or an angle below half a turn": "motion_bound.r motion_bound.w motion_bound.a",
+    "it is a bound on a speed of approach, or a time from now": "advance.mu ray_capsule.t",
     "it is a depth, or a number of steps": "penalty_force.d design_contact.d design_contact.N",
     "it is a size": """convex_separation.A convex_separation.B overlap_interval.r overlap_interval.w
         missing_probability.w missing_probability.r""",

@@ -67,8 +67,8 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "bounce": {
         PLANE_AT_REST: OF_A_PLANE_AT_REST,
         "Only the shape of what is broadcast together counts.": (
-            "results swapped: (offset, restitution, dt) → (restitution, offset, dt)",
-            "results swapped: (offset, restitution, dt) → (offset, dt, restitution)",
+            "results swapped: (d, restitution, dt) → (restitution, d, dt)",
+            "results swapped: (d, restitution, dt) → (d, dt, restitution)",
         ),
     },
     "respond_at_impact": {PLANE_AT_REST: OF_A_PLANE_AT_REST, NOT_NEGATIVE: ("size for it: dt - before → …",)},
@@ -78,6 +78,10 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "penalty_step_limit": {NOT_NEGATIVE: ("size for it: …",)},
+    "design_contact": {
+        TWICE: ("speed: sign flipped", "depth: sign flipped"),
+        NOT_NEGATIVE: ("size for it: …", "in _number: size for it: value → np.abs(value)"),
+    },
     "frequency_and_ratio": {NOT_NEGATIVE: ("size for it: …",)},
     "mass_and_stiffness": {NOT_NEGATIVE: ("size for it: …",)},
     "sliding_motion": {

@@ -108,6 +108,8 @@ def _sliding() -> list[Probe]:
         usual("it stops within the step", start, [1, 0, 0], REST, 10.0, 0.5, 0.25, 1.0, 2.0),
         usual("pushed along", start, [1, 0, 0], [4, 0, 0], 10.0, 0.5, 0.25, 2.0, 0.5),
         usual("pushed back, it stops and is held", start, [2, 0, 0], [-2, 0, 0], 10.0, 0.5, 0.25, 2.0, 4.0),
+        usual("pushed back, it stops and is just held", start, [2, 0, 0], [-4, 0, 0], 10.0, 0.5, 0.25, 2.0, 4.0),
+        usual("it stops and is held, across the axes", start, [3, -4, 0], [-2.4, 3.2, 0], 10.0, 0.5, 0.25, 1.0, 4.0),
         usual("pushed back, it stops and slides back", start, [2, 0, 0], [-9, 0, 0], 10.0, 0.5, 0.25, 2.0, 1.0),
         usual("pushed back, it does not stop yet", start, [4, 0, 0], [-3, 0, 0], 10.0, 0.5, 0.25, 2.0, 0.5),
         usual("at rest and held", start, REST, [2, 0, 0], 10.0, 0.5, 0.25, 2.0, 1.0),

@@ -227,6 +227,7 @@ def _parity() -> list[Probe]:
         usual("in the first of two cubes, towards the second", [0.25, 0.125, 0.375], *in_two),
         usual("in the lower of two cubes, one above the other", [0.25, 0.125, 0.375], *on_top),
         usual("between two cubes, one above the other", [0.25, 0.125, 2.5], *on_top),
+        usual("between two cubes, close to the upper one", [-0.5, 0.375, 3.875], *on_top),
         usual("in a hollow", [0.25, 0.125, 0.375], *nested),
         usual("in the wall of a hollow solid", [1.75, 0.125, 0.375], *nested),
         usual("in a solid turned inside out", [0.3, 0.6, 0.7], L_SOLID, L_FACES[:, ::-1]),
@@ -248,6 +249,8 @@ def _parity() -> list[Probe]:
         edge("close to the surface, within", [0.5, 0.375, 1.999999], L_SOLID, L_FACES),
         edge("close to the surface, outside", [0.5, 0.375, 2.000001], L_SOLID, L_FACES),
         edge("far away", [1e6, 2e6, -3e6], L_TURNED, L_FACES),
+        edge("in a speck of a cube, a diagonal above", [0, 0, 0], 2.0**-40 * CUBE, CUBE_FACES),
+        edge("in a cube far away, a diagonal above", [3 * 2.0**40] * 3, 3 * 2.0**40 + 2.0**20 * CUBE, CUBE_FACES),
         edge("no face", [0, 0, 0], CUBE, NOTHING),
         refused("an open surface", [0, 0, 0], CUBE, CUBE_FACES[1:]),
         refused("a point that is no number", [0, 0, float("nan")], CUBE, CUBE_FACES),
@@ -343,6 +346,7 @@ def _intersect() -> list[Probe]:
     ]
     by_hand += [
         edge("a vertex of no face in the other", *_with_vertex(aside, [0.5, 0.5, 0.5]), *cube),
+        edge("a vertex of no face in the other, the first", *_with_vertex(aside, [0.5, 0.5, 0.5], first=True), *cube),
         edge("the other without a face", *cube, within[0], NOTHING),
         refused("an open surface", cube[0], CUBE_FACES[1:], *within),
         refused("the other surface open", *within, cube[0], CUBE_FACES[1:]),
@@ -358,9 +362,11 @@ def _intersect() -> list[Probe]:
     return made("polyhedra_intersect", by_hand, maker, single=range(4))
 
 
-def _with_vertex(mesh: Mesh, place: list[float]) -> Mesh:
-    """A mesh with one more vertex, of no face."""
-    return np.concatenate([mesh[0], _turned(np.array([place]))]), mesh[1]
+def _with_vertex(mesh: Mesh, place: list[float], first: bool = False) -> Mesh:
+    """A mesh with one more vertex, of no face: the last one, or the first."""
+    vertices, faces = mesh
+    vertex = _turned(np.array([place]))
+    return (np.concatenate([vertex, vertices]), faces + 1) if first else (np.concatenate([vertices, vertex]), faces)
 
 
 _TABLE = {

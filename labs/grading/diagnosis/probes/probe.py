@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from reference.arrays import Array
 
@@ -156,7 +157,7 @@ def _stacked(draws: list[Arguments], single: frozenset[int]) -> Arguments:
 def _stack(values: list[Any]) -> Any:
     if isinstance(values[0], tuple):
         return tuple(_stack([value[i] for value in values]) for i in range(len(values[0])))
-    return np.stack([np.asarray(value, dtype=float) for value in values])
+    return np.stack([_array(value) for value in values])
 
 
 def _as_column(value: Any) -> Any:
@@ -168,9 +169,15 @@ def _each(value: Any, change: Callable[[Any], Any]) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """Lists as float arrays; tuples, numbers, flags and arrays of whole numbers, such as faces, as they are."""
+    """Lists of numbers as arrays of floats, and of flags as arrays of flags; the rest, such as faces, as it is."""
     if isinstance(value, tuple):
         return tuple(_plain(item) for item in value)
     if isinstance(value, np.ndarray) and value.dtype.kind in "iu":
         return value
-    return np.asarray(value, dtype=float) if isinstance(value, list | np.ndarray) else value
+    return _array(value) if isinstance(value, list | np.ndarray) else value
+
+
+def _array(value: Any) -> NDArray[Any]:
+    """Numbers as floats, and flags as flags: a function may say `~behind`, which no float allows."""
+    array = np.asarray(value)
+    return array if array.dtype == bool else np.asarray(value, dtype=float)

@@ -19,7 +19,7 @@ def kinematic_response(velocity, normal, restitution, plane_velocity=(0, 0, 0)):
 
 def respond_at_step(position, velocity, acceleration, normal, behind, restitution, dt):
     u = along(velocity, normal)
-    struck = (np.asarray(behind)[..., np.newaxis] != 0) & (u < 0)
+    struck = np.asarray(behind)[..., np.newaxis] & (u < 0)
     pressed = along(acceleration, normal)
     pressed = pressed * (pressed < 0) * struck
     after = velocity - struck * (1 + column(restitution)) * u * normal

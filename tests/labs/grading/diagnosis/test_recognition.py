@@ -25,6 +25,7 @@ from solutions.impulse import (
     inverse_effective_mass,
     normal_velocity,
 )
+from solutions.polyhedra import edges_through_faces, inside_by_parity
 from solutions.response import kinematic_response
 
 BANK = read_bank()
@@ -165,6 +166,21 @@ def test_a_function_that_calls_a_wrong_one_is_not_blamed(monkeypatch):
     found = diagnose("collide", of(collide))
     assert found.mistakes[0].origins == (entry.id,)
     assert "It answers as if it were right itself and used a wrong normal_velocity" in " ".join(told(found).split())
+
+
+def test_one_wrong_answer_to_a_mesh_without_faces_accuses_no_other_function():
+    """A vertex of no face is taken for a solid, and so it would be by a wrong inside_by_parity as well."""
+
+    def intersect(*meshes):
+        pairs = (meshes[:2], meshes[2:]), (meshes[2:], meshes[:2])
+        return any(
+            len(edges_through_faces(*a, *b)[0]) or inside_by_parity(a[0][a[1][0, 0] if len(a[1]) else 0], *b)
+            for a, b in pairs
+        )
+
+    found = diagnose("polyhedra_intersect", of(intersect))
+    assert found.verdict == "unknown"
+    assert found.counterexample.probe.note == "the other without a face"
 
 
 def test_a_stub_counts_as_unwritten():

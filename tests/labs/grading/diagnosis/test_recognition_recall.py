@@ -250,7 +250,7 @@ FOUND = {
     "inside_by_parity_2": ("named", ["border counted twice"]),
     "inside_by_parity_3": ("named", ["far away is near"]),
     "inside_by_parity_4": ("named", ["line for ray"]),
-    "inside_by_parity_5": ("named", ["between two faces"]),
+    "inside_by_parity_5": ("likely", ["between two faces"]),
     "inside_by_parity_6": ("named", ["moved along x alone"]),
     "winding_number_1": ("named", ["inwards"]),
     "winding_number_2": ("named", ["rounded"]),

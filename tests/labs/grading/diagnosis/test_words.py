@@ -41,10 +41,12 @@ EXAMPLE = Counterexample(
         (np.diag([1.0, 2.0]), "diag(1, 2)"),
         (np.eye(2, dtype=bool), "((True, False), (False, True))"),
         (np.zeros((2, 3)), "((0, 0, 0), (0, 0, 0))"),
-        (np.ones((1, 1)), "((1))"),
+        (np.ones((1, 1)), "((1,),)"),
+        (np.array([[1.0, -2, 3]] * 4 + [[0, 4, 5]]), "an array (5, 3) between (0, -2, 3) and (1, 4, 5)"),
+        (np.arange(15).reshape(5, 3), "an array (5, 3)"),
     ],
 )
-def test_a_value_is_shown_in_few_digits_and_a_long_array_as_its_shape(value, words):
+def test_a_value_is_shown_in_few_digits_and_a_long_array_as_its_shape_or_box(value, words):
     assert shown(value) == words
 
 
@@ -61,8 +63,8 @@ def test_arguments_are_shown_with_their_names():
         (Answer(error="ValueError: no"), (1.0,), "ValueError: no"),
         (Answer("up"), (1.0,), "the text 'up' instead of a number or an array"),
         (Answer(2.0), (1.0, 1.0), "one float instead of 2 arrays"),
-        (Answer([2.0]), (1.0,), "(2) of shape (1,) instead of ()"),
-        (Answer(([2.0], 1.0)), (1.0, 1.0), "(2), 1 of shape (1,), () instead of (), ()"),
+        (Answer([2.0]), (1.0,), "(2,) of shape (1,) instead of ()"),
+        (Answer(([2.0], 1.0)), (1.0, 1.0), "(2,), 1 of shape (1,), () instead of (), ()"),
     ],
 )
 def test_the_answer_is_shown_above_what_physics_says(answer, right, came):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from stand_ins import Function
 
+from labs.grading.diagnosis.probes.probe import made
 from labs.grading.errors import ArgumentsChanged
 from labs.grading.judging.comparison import each, expect, numbers, plainly, refuse_changes
 from labs.grading.judging.examples import Examples
@@ -62,6 +63,18 @@ def test_a_submission_gets_lists_as_arrays_and_other_values_unchanged():
     function = Function(lambda v: v.sum())
     expect(function, ([1, 2, 3],), 6.0)
     assert function.asked[0][0].dtype == float
+
+
+def test_flags_come_as_flags_so_that_not_and_and_work_on_them():
+    (flags,) = plainly([True, False])
+    np.testing.assert_array_equal(~flags & [True, True], [False, True], strict=True)
+
+
+def test_flags_stay_flags_when_drawn_cases_are_put_side_by_side():
+    probes = made("respond_at_step", (), lambda draw: (draw.vector(), draw.sign() > 0), 0)
+    assert {probe.arguments[1].dtype for probe in probes if isinstance(probe.arguments[1], np.ndarray)} == {
+        np.dtype(bool)
+    }
 
 
 def test_numbers_come_as_arrays_and_other_values_are_refused():

@@ -1,0 +1,1 @@
+"""Mistakes that the lab does not know: those that several students share, and the names that a course gives them."""

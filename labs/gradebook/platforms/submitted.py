@@ -1,0 +1,30 @@
+"""Grades the one submission that a platform has put into a folder, on the platform's machine."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from labs.gradebook.arrivals import Missing, arrival
+from labs.gradebook.grading import Graded, Task, grade_one
+from labs.gradebook.layouts import PLAIN, Owner
+from labs.grading.budget import SECONDS
+from labs.grading.judging.grade import SCHEMA, VERSION
+
+
+def graded_folder(folder: Path, lab: str, student: str) -> Graded:
+    """The grade of what is in a folder; of a folder with nothing to grade, one that says why.
+
+    Raises
+    ------
+    GraderFailed
+        If the tests could not be run, for no fault of the submission.
+    """
+    found = arrival(folder, Owner(PLAIN, student), lab)
+    if isinstance(found, Missing):
+        identity = {"student": student, "lab": lab, "file": ""}
+        content = {"schema": SCHEMA, "version": VERSION, "identity": identity, "unreadable": f"{found.why}."}
+        return Graded(student, {**content, "marks": {}, "points": 0.0}, {"seconds": 0.0})
+    task = Task(student, "", lab, found.entry, found.file, found.read(), "", SECONDS)
+    graded = grade_one(task)
+    graded.content["notes"] = list(found.notes)
+    return graded
