@@ -63,10 +63,10 @@ def friction_force(
     Returns
     -------
     (..., 3), N
-        For a body that slides, μ_k N against its velocity. For a body at rest
-        that static friction can hold, −push. A body at rest whose push is
-        above μ_s N starts to slide along the push, and friction opposes the
-        push with μ_k N.
+        For a body that slides, however slowly, μ_k N against its velocity. For
+        a body at rest whose push is at most μ_s N, −push. A body at rest whose
+        push is above μ_s N starts to slide along the push, and friction
+        opposes the push with μ_k N.
 
     Raises
     ------
@@ -114,7 +114,8 @@ def sliding_motion(
     -------
     position, tangent_velocity : (..., 3), m, m/s
     stopping_time : (...), s from now
-        Infinity where the body does not stop within the step.
+        A stop exactly at dt counts. Infinity where the body does not stop
+        within the step, and where it is at rest at the start, held or not.
 
     Raises
     ------

@@ -34,10 +34,10 @@ def support_force(
     -------
     normal_force : (...), N
         What the support pushes with. It cannot pull: a force that lifts the
-        body off leaves 0, and so no friction.
+        body off leaves 0.
     along : (..., 3), N
         The part along the surface of all forces except the support's, as the
-        support sees them.
+        support sees them, whether or not the body is lifted off.
 
     Raises
     ------
@@ -130,9 +130,9 @@ def break_away_time(
     Returns
     -------
     (...), s
-        0 where the body is not held even now, infinity where it always is.
-        Where the force along the normal ends before friction does, the instant
-        at which the body lifts off.
+        0 where the body is not held even now: the push is above μ_s N, or the
+        force pulls the body off. Infinity where it is held for ever. If N
+        falls to zero before the push is above μ_s N, that instant.
 
     Raises
     ------

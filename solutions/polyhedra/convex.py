@@ -50,7 +50,8 @@ def convex_separation(
         nearest point is on an edge or at a vertex, the point is farther away
         than the separation.
     face : (...), index of the face that decides
-        If several faces are equal, this is the first of them.
+        If several heights are equal, this is the first of their faces. Where
+        they differ by rounding alone, rounding decides.
 
     Raises
     ------

@@ -50,10 +50,11 @@ def inside_by_parity(
         are exact (`orient2d`, `orient3d`). Where a surface goes through
         itself, what it encloses twice is outside.
 
-        A point on the surface is inside when a move by (ε, ε², ε³), with an ε
+        The lab asks for points off the surface alone, where every direction of
+        the ray gives the same answer. The solution also decides about a point
+        on the surface: it is inside when a move by (ε, ε², ε³), with an ε
         smaller than any float, takes it inside. So if solids fill space face
-        to face, exactly one of them has the point. The lab asks for points
-        that are off the surface alone.
+        to face, exactly one of them has the point.
 
     Raises
     ------

@@ -71,10 +71,12 @@ def polyhedra_intersect(
     Returns
     -------
     bool
-        It is True also where the solids only touch, and where one of them lies
-        within the other. A solid that lies in the hollow of the other is not
-        in it: False. Vertices of no face do not count. A mesh without faces
-        has nothing in common with anything.
+        It is True also where the solids only touch, and where one of them, or
+        a part of it, lies within the other. A solid that lies in the hollow of
+        the other is not in it: False. As for `inside_by_parity`, faces may
+        look either way, and what a surface encloses twice is outside. Vertices
+        of no face do not count. A mesh without faces has nothing in common
+        with anything.
 
     Raises
     ------

@@ -87,9 +87,10 @@ def segment_triangle(
         Each is from 0 to 1, and their sum is 1. The weights times the corners
         add up to the same point. They are NaN where the two do not meet.
 
-        The lab asks for general position alone: the ends of the segment are
-        off the triangle's plane, and the segment passes the triangle's sides
-        at a distance. The solution also decides the other cases, and exactly
+        The lab asks for general position alone, and tests nothing else: the
+        ends of the segment are off the triangle's plane, and the segment
+        passes the triangle's sides at a distance. In all other cases any
+        answer will do. The solution decides them too, and exactly
         (`segment_meets_triangle`): borders and ends count, and a segment in
         the triangle's plane meets it first where the stretch that they share
         begins.

@@ -74,7 +74,7 @@ def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
     -------
     normal : (f, 3), n, of unit length
     offset : (f,), d, m
-        Both are empty for a mesh without faces.
+        For a mesh without faces the shapes are (0, 3) and (0,).
 
     Raises
     ------

@@ -42,7 +42,9 @@ def bounce(
     -------
     positions, velocities : (steps + 1, ..., 3) each, m and m/s
         The first of each is the start, the last that after all steps. Each
-        has an entry for every ball, also where all balls start alike.
+        has an entry for every ball, also where all balls start alike. With
+        e = 0 a ball moves along the plane after its response; on a slanted
+        plane, rounding decides whether v·n is then below zero.
 
     Raises
     ------

@@ -118,6 +118,7 @@ def penalty_step_limit(
     Returns
     -------
     (...), s
+        It has all its digits, however strong the damping is.
 
     Raises
     ------

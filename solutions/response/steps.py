@@ -36,7 +36,8 @@ def respond_at_impact(
     normal : (..., 3), unit, out of the plane
     restitution : (...), e, 0 to 1
     time_of_impact : (...), T, s from the start of the step
-        Exact or the slide's. A T later than dt means no collision.
+        Exact or the slide's. T = dt is a collision at the very end of the
+        step. A later T means no collision, and so does infinity.
     dt : (...), s, length of the step
 
     Returns
@@ -95,8 +96,8 @@ def respond_at_step(
     position, velocity : (..., 3) each, at the end of the step
         A body that responds is not moved back to the plane. Of its
         acceleration, the plane takes the component that presses the body onto
-        it, and leaves the rest. A body in front of the plane, or on its way
-        out, takes the free step.
+        it, and leaves the rest. A body in front of the plane, on its way out
+        or moving along the plane (v·n = 0) takes the free step.
 
     Raises
     ------

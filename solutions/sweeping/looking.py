@@ -38,7 +38,8 @@ def missed_share(
     Returns
     -------
     (...), 0 to 1
-        0 where speed or dt is 0. 1 for two points that move.
+        0 where speed or dt is 0, also for two points. 1 for two points
+        otherwise.
 
     Raises
     ------
@@ -96,7 +97,7 @@ def advance(
     velocity_a : (3,), of that point, m/s, constant over the step
     angular_velocity_a : (3,), rad/s, constant over the step
     points_b : (m, 3), corners of B, which rests, as places in the world, m
-    dt : s, length of the step
+    dt : s, finite, length of the step
     tolerance : m, above 0; hulls at most so far apart count as touching
     looks : whole number, at least 1; how often the separation may be measured
 
@@ -106,12 +107,14 @@ def advance(
         It is never later than the true contact, and the hulls are then at most
         the tolerance apart. It is 0 if they touch or overlap now, and infinity
         where they stay apart over the step. It is NaN where all looks are used
-        up before it is decided whether the hulls touch.
+        up before it is decided whether the hulls touch. The last look may
+        still decide that they stay apart, by the time to which the clock
+        then advances.
     used : how often the separation was measured, from 1 to looks
         The first look is at the start of the step. After each one the clock
         advances as far as the separation and the `motion_bound` of all of A
         allow, whose reach is that of A's farthest corner. No look is taken
-        after dt.
+        after dt; one at dt is.
 
     Raises
     ------

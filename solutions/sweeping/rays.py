@@ -105,7 +105,8 @@ def ray_capsule(
     -------
     (...), t
         It is 0 from within and from the surface, and infinity for a miss. A
-        ray along the segment meets an end.
+        ray along the segment meets an end. A ray that grazes the capsule
+        meets it; within rounding of that, rounding decides.
 
     Raises
     ------
@@ -176,9 +177,10 @@ def ray_box(
     -------
     entry, exit : (...), 0 ≤ entry ≤ exit
         From within, entry is 0. The box is closed: a ray that grazes a corner
-        has entry = exit, and a ray that glides along a face is in the box.
-        Without a direction, the ray is in the box at all times or never. A
-        miss is an empty interval: entry is infinity and exit is −infinity.
+        has entry = exit, within rounding, and a ray that glides along a face
+        is in the box. Without a direction, the ray is in the box from 0 to
+        infinity, or never. A miss is an empty interval: entry is infinity and
+        exit is −infinity.
 
     Raises
     ------

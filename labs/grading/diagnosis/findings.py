@@ -14,11 +14,12 @@ Verdict = Literal[
     "too slow", "wrong", "not tried",
 ]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
-usual cases, but not all limiting ones. several: more than one explains the same answers. another order: it returns the
-right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact
-only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it ran out of time in a test
-and was not called again. wrong: it failed a test, and its probes do not say why. not tried: the time of the whole
-submission was used up before, which says nothing about the function."""
+usual cases, but not all limiting ones; or it explains all that is wrong, but a few cases are right nonetheless.
+several: more than one explains the same answers. another order: it returns the right things in an order of its own.
+unknown: no known mistake explains them. one at a time: right for a single contact only. crashes, shape: it gives no
+number to compare. unwritten: it is the stub. too slow: it ran out of time in a test and was not called again. wrong: it
+failed a test, and its probes do not say why. not tried: the time of the whole submission was used up before, which says
+nothing about the function."""
 
 
 LEAST = 3
@@ -59,7 +60,8 @@ class Diagnosis:
     cases of bad input that it should have refused. changes_input: whether it writes into its arguments. odd: the
     simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right. order: the
     places of what it returns, if only their order is wrong. spares_limits: whether limiting cases are right that a
-    likely mistake would get wrong. unnamed: what an unknown mistake gives, as far as it can be recognised again.
+    likely mistake would get wrong. spares_cases: whether cases of any kind are, and all that is wrong is the mistake's.
+    unnamed: what an unknown mistake gives, as far as it can be recognised again.
     """
 
     function: str
@@ -75,6 +77,7 @@ class Diagnosis:
     limits_alone: bool = False
     order: tuple[int, ...] = ()
     spares_limits: bool = False
+    spares_cases: bool = False
     unnamed: Unnamed | None = None
 
     def error_is_in(self, *examples: Counterexample | None) -> bool:

@@ -25,6 +25,8 @@ from labs.grading.errors import GraderFailed
 
 DIFFERENT = 5
 """So many different wrong numbers identify a formula even if calls with several contacts go wrong in another way."""
+SHOWN_FOR_EACH_SPARED = 3
+"""A mistake that a case of its own spares somewhere must show in so many cases for each one that is spared."""
 
 Uses = Callable[[str], Iterable[str]]
 """Says which functions of a submission one of them calls."""
@@ -159,6 +161,7 @@ class _Evidence:
             all(self.groups[at] != "usual" for at in wrong),
             order,
             verdict == "likely" and any(map(self._spares_limits, mistakes)),
+            verdict == "likely" and any(map(self._spared, mistakes)),
             self._unnamed() if verdict == "unknown" else None,
         )
 
@@ -173,7 +176,7 @@ class _Evidence:
         mostly = [] if self._always_the_same() else self._explained(("usual",))
         mostly = [entry for entry in mostly if not entry.origins]  # not by way of another function
         certain = closer or in_many or (whole if self._identifies_a_formula() else [])
-        found = certain or mostly
+        found = certain or mostly or self._with_an_exception()
         if not found:
             return self._without_name(), ()
         return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
@@ -181,6 +184,27 @@ class _Evidence:
     def _unnamed(self) -> Unnamed | None:
         knowledge = self.knowledge
         return unnamed(knowledge.function, self.answered, self.deviations, knowledge.parameters)
+
+    def _with_an_exception(self) -> list[Known]:
+        """The known mistakes that give all that is wrong in single contacts, but also get wrong a few that are right.
+
+        An `if` of the submission's own catches these. Of several such mistakes, those that need the fewest count.
+        """
+        wrong = {own.total for own, _ in self._single() if not (own.right or own.failure)}
+        if len(wrong) < DIFFERENT:
+            return []
+        spared = {entry: self._spared(entry) for entry in self.mistakes if not entry.origins}
+        few = [len(cases) for cases in spared.values() if cases is not None]
+        return [entry for entry, cases in spared.items() if cases is not None and len(cases) == min(few)]
+
+    def _spared(self, entry: Known) -> list[int] | None:
+        """The single contacts that are right and that a mistake gets wrong; None if it is not the submission's own."""
+        single = [at for at, group in enumerate(self.groups) if group != "many"]
+        wrong = [at for at in single if not self.deviations[at].right and self.deviations[at].failure != "error"]
+        if not all(self.deviations[at].agrees(entry.deviations[at]) for at in wrong):
+            return None
+        spared = [at for at in single if self.deviations[at].right and not entry.deviations[at].right]
+        return spared if len(spared) * SHOWN_FOR_EACH_SPARED <= len(wrong) else None
 
     def _order(self) -> tuple[int, ...]:
         """The places of what is returned, if all single contacts are right except for their order; else empty."""

@@ -53,8 +53,9 @@ def verdict(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.verdict == "named":
         return [first.rationale, f"Hint: {first.help}"]
     if diagnosis.verdict == "likely":
-        spared = diagnosis.spares_limits and not diagnosis.odd
-        rest = "; limiting cases are right that it would get wrong" if spared else ""
+        rest = ""
+        if not diagnosis.odd and (diagnosis.spares_limits or diagnosis.spares_cases):
+            rest = f"; {'limiting' if diagnosis.spares_limits else 'some'} cases are right that it would get wrong"
         return [f"most of its numbers fit this mistake{rest}:", f"- {first.rationale}", f"Hint: {first.help}"]
     opening = "its numbers fit more than one mistake, and do not say which it is:"
     return [opening, *(f"- {each.rationale}" for each in diagnosis.mistakes)]

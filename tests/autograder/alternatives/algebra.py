@@ -94,7 +94,7 @@ def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, a
 
 def penalty_step_limit(mass, stiffness, damping=0.0):
     damping = np.asarray(damping)
-    return (np.sqrt(damping**2 + 4 * mass * stiffness) - damping) / stiffness
+    return 4 * mass / (np.sqrt(damping**2 + 4 * mass * stiffness) + damping)
 
 
 def design_contact(mass, speed, depth, restitution, steps_per_contact):

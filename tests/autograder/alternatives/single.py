@@ -33,7 +33,7 @@ def kinematic_response(velocity, normal, restitution, plane_velocity=(0.0, 0.0, 
 
 
 def penalty_step_limit(mass, stiffness, damping=0.0):
-    return (sqrt(damping * damping + 4 * mass * stiffness) - damping) / stiffness
+    return 4 * mass / (sqrt(damping * damping + 4 * mass * stiffness) + damping)
 
 
 def support_force(mass, gravity, push, frame_acceleration, normal):

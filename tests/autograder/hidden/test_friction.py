@@ -29,11 +29,16 @@ def test_the_two_parts_make_up_all_the_forces(submission, part, examples):
 
     with part(1, "any load on any slope"):
         examples.agree(submission.support_force, support, loads, count=20)
-    with part(1, "free fall, far from everything, against a wall"):
+    with part(1, "free fall, far from everything, against a wall, a grain of dust"):
         down = [0, 0, -8]
         expect(submission.support_force, (2.0, down, REST, down, LEANS), (0.0, REST))
         expect(submission.support_force, (2.0, REST, X, REST, UP), (0.0, X))
         expect(submission.support_force, (2.0, down, [-9, 0, 0], REST, X), (9.0, [0.0, 0.0, -16.0]))
+        expect(submission.support_force, (2e-9, down, [3e-9, 0, 4e-9], REST, UP), (1.2e-8, [3e-9, 0.0, 0.0]))
+        for size in (1e-6, 1e6):  # 2 m (g − a) + F, all small or all large
+            g, push, a = (size * np.array(each) for each in ([0, 0, -8.0], [3.0, 0, 4], [1.0, 0, 1]))
+            expect(submission.support_force, (2.0, g, push, a, UP), (14 * size, [size, 0.0, 0.0]))
+        expect(submission.support_force, (2e6, down, REST, REST, UP), (1.6e7, REST))
     with part(1, "lifted off, and just not"):
         along = [-2 / 9, -22 / 9, 23 / 9]
         expect(submission.support_force, (1.0, [0, 0, -8], [2, 2, 15], REST, LEANS), (0.0, along))
@@ -59,8 +64,13 @@ def test_friction_in_each_of_the_three_cases(submission, part, examples):
 
     with part(2, "any body"):
         examples.agree(submission.friction_force, friction, bodies, count=40)
-    with part(2, "just held, no push, lifted off, no friction, between the two coefficients"):
+    with part(2, "just held, no push, lifted off, no friction, between the two coefficients, small and slow"):
         for case in (
+            (X, [1e-6, -2e-6, 2e-6], 10.0, 0.5, 0.25), ([6, 8, 0], [0, 0, 1e-4], 10.0, 0.5, 0.25),
+            ([3e-7, 4e-7, 0], REST, 8e-7, 0.5, 0.25), ([3e-7, 4e-7, 0], REST, 2e-6, 0.5, 0.25),
+            ([3e-7, 0, 0], [1e-7, 0, 2e-7], 8e-7, 0.5, 0.25), ([3.9, 3.9, 0], REST, 10.0, 0.5, 0.25),
+            ([3e6, 0, 4e6], REST, 2e7, 0.5, 0.25), ([3e6, 0, 4e6], REST, 8e6, 0.5, 0.25),
+            (X, [3e6, 0, 40], 8e6, 0.5, 0.2),
             (REST, REST, 10.0, 0.5, 0.25), ([3, 4, 0], REST, 10.0, 0.5, 0.25), (X, [2, 0, 0], 0.0, 0.5, 0.25),
             (X, [2, 0, 0], 10.0, 0.0, 0.0), ([4, 0, 0], REST, 10.0, 0.25, 0.25), ([4, 0, 0], REST, 10.0, 0.5, 0.25),
             (X, [0, 3, 0], 10.0, 0.75, 0.5), ([6, 8, 0], REST, 10.0, 0.5, 0.25), (REST, [-9, 12, 0], 10.0, 0.5, 0.25),
@@ -92,8 +102,11 @@ def test_a_body_brakes_stops_and_rests_or_starts_again(submission, part, example
 
     with part(2, "any slide"):
         examples.agree(submission.sliding_motion, motion, slides, count=30)
-    with part(2, "held, pushed away, it stops at the very end, no friction, no time"):
+    with part(2, "held, pushed away, it stops near the very end, no friction, no time, slow"):
         for v, push, static, kinetic, m, dt in (
+            ([1e-6, 0, 0], REST, 0.5, 0.25, 2.0, 1.0), ([3e-6, 0, 0], [-6, 0, 0], 0.5, 0.25, 2.0, 1e-3),
+            ([1e-3, 0, 0], [2, 0, 0], 0.5, 0.25, 1.0, 1e-4), ([3e-3, 0, 0], [8, 0, 0], 0.5, 0.25, 1.0, 1e-4),
+            (X, REST, 1e-6, 1e-6, 2.0, 5.0), ([1.26, 0, 0], REST, 0.5, 0.25, 1.0, 0.5),
             (REST, [2, 0, 0], 0.5, 0.25, 2.0, 1.0), (REST, [8, 0, 0], 0.5, 0.25, 2.0, 1.0),
             (REST, REST, 0.5, 0.25, 2.0, 1.0),
             ([1.25, 0, 0], REST, 0.5, 0.25, 1.0, 0.5), ([1, 2, 0], REST, 0.0, 0.0, 2.0, 0.5),
@@ -104,6 +117,16 @@ def test_a_body_brakes_stops_and_rests_or_starts_again(submission, part, example
         ):  # fmt: skip
             case = plainly(X, v, push, 10.0, static, kinetic, m, dt)
             expect(submission.sliding_motion, case, motion(*case))
+            case = (np.zeros(3), *case[1:])  # so that short ways count
+            expect(submission.sliding_motion, case, motion(*case))
+        for metre, second, kilogram in (
+            (1e-6, 1, 1), (1e6, 1, 1), (1, 1e-6, 1), (1, 1e6, 1), (1, 1, 1e-6), (1, 1, 1e6),
+        ):  # fmt: skip
+            newton = kilogram * metre / second**2
+            for push in ([-2.0, 0, 0], [-9.0, 0, 0]):
+                motions = (metre * np.array(X), metre / second * np.array([2.0, 0, 0]), newton * np.array(push))
+                case = (*motions, 10.0 * newton, 0.5, 0.25, 2.0 * kilogram, 4.0 * second)
+                expect(submission.sliding_motion, case, motion(*case))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.sliding_motion, motion, slides)
 
@@ -118,7 +141,7 @@ def test_the_length_is_at_most_the_limit(submission, part, examples):
 
     with part(1, "any force"):
         examples.agree(submission.clamp_to_circle, clamped, loads, count=20)
-    with part(1, "just at the limit, no force, no friction"):
+    with part(1, "just at the limit, no force, no friction, very small and very large"):
         for force, limit in (
             ([3, 4, 0], 5.0),
             (REST, 5.0),
@@ -127,6 +150,9 @@ def test_the_length_is_at_most_the_limit(submission, part, examples):
             ([4, 4, 0], 5.0),
             ([-6, 0, 0], 2.0),
             ([1, -9, 0], 5.0),
+            ([6e-9, -8e-9, 0], 5e-9),
+            ([6e-9, -8e-9, 0], 2e-8),
+            ([6e9, -8e9, 0], 5e9),
         ):
             expect(submission.clamp_to_circle, (force, limit), clamped(np.array(force, dtype=float), limit))
     with part(1, "many at once, their arrays left as they were"):
@@ -150,13 +176,21 @@ def test_the_ball_slips_until_it_rolls(submission, part, examples):
 
     with part(2, "any ball"):
         examples.agree(submission.roll_step, rolls, balls, count=20)
-    with part(1, "at rest, rolling, spinning like a top, on ice, a step of no length, a long step"):
+    with part(1, "at rest, rolling, spinning like a top, on ice, no step and a long one, small and slow"):
         for v, spin, radius, mu, dt in (
+            ([4e-6, 3e-6, 0], REST, 0.5, 0.2, 0.05), ([2.000001, 0, 0], [0, 20, 0], 0.1, 0.2, 0.05),
+            ([4e-6, 0, 0], REST, 0.5, 0.2, 2.5e-7), (REST, [4, -2, 1], 1e-6, 0.2, 1e-7),
+            (REST, [4e-6, 1e-6, 0], 1, 0.2, 1),
+            ([3, 1, 0], [1, 0, 0], 1e6, 0.2, 1.0), ([3e6, 1e6, 0], [4e6, 0, 0], 0.5, 0.2, 1.0),
+            ([3e7, 0, 0], X, 1, 0.2, 1e6),
             (REST, REST, 0.1, 0.2, 0.05), ([2, 0, 0], [0, 20, 0], 0.1, 0.2, 0.05), (REST, [0, 0, 30], 0.1, 0.2, 0.05),
             ([3, 1, 0], [2, 4, 1], 0.1, 0.0, 0.05), ([3, 1, 0], [2, 4, 1], 0.1, 0.2, 0.0),
             ([3, 1, 0], [2, 4, 1], 0.3, 0.4, 5.0),
         ):  # fmt: skip
             case = plainly(v, spin, radius, mu, 10.0, dt)
+            expect(submission.roll_step, case, rolls(*case))
+        for gravity in (1e-6, 1e6):
+            case = plainly(gravity * np.array(X), [gravity, 0, 0], 1.0, 0.2, gravity, 0.5)
             expect(submission.roll_step, case, rolls(*case))
     with part(1, "thrown without spin, it rolls with five sevenths, whatever μ is"):
 
@@ -192,8 +226,11 @@ def test_the_push_leaves_the_cone_at_that_instant(submission, part, examples):
 
     with part(2, "any load"):
         examples.agree(submission.break_away_time, leaves, loads)
-    with part(1, "just held, not held, lifted off, held for ever"):
+    with part(1, "just held, not held, lifted off, held for ever; small and slow"):
         for force, rate, mu, time in (
+            ([0, 0, -8], [2e-6, 0, 0], 0.5, 2e6), ([0, 0, -8], [0, 0, 2e-6], 0.5, 4e6), ([0, 0, -8e-9], X, 0.5, 4e-9),
+            ([0, 0, -8], [2e6, 0, 0], 0.5, 2e-6), ([3e-7, 0, -1e-6], [0, 2e-7, 0], 0.5, 2.0),
+            ([3e6, 0, -1e7], [0, 2e6, 0], 0.5, 2.0),
             ([0, 0, -8], [2, 0, 0], 0.5, 2.0), ([3, 0, -8], [-2, 0, 0], 0.5, 3.5), ([0, 0, -8],
             [1, 0, -4], 0.5, INFINITY),
             ([0, 0, -8], [0, 0, 2], 0.5, 4.0), ([8, 0, -8], X, 0.5, 0.0), ([0, 0, 2], X, 0.5, 0.0),

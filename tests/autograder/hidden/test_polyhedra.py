@@ -97,13 +97,17 @@ def test_the_separation_of_any_point(submission, part, examples):
 
     with part(2, "any point in or around a tetrahedron"):
         examples.agree(submission.convex_separation, separation, around, count=16)
-    with part(1, "on a face, at a corner, in the middle of a cube, beyond edges and corners of it"):
+    with part(1, "on a face, at a corner, in the middle of a cube, beyond edges and corners of it; any size"):
         for point, found in (
             ([0.25, 1, 0.5], (0, 6)), ([1, 0, 1], (0, 2)), ([0.5, 0.5, 0.5], (-0.5, 0)), ([2, 2, 2], (1, 2)),
             ([3, 0.5, 1.5], (2, 2)), ([-2, 4, 1.5], (3, 6)), ([0.25, 0.5, 0.75], (-0.25, 0)),
             ([1e6, -2e6, 0], (2e6, 4)),
         ):  # fmt: skip
             expect(submission.convex_separation, (point, CUBE, CUBE_FACES), found)
+        for size in (2.0**-20, 2.0**-10, 2.0**10, 2.0**20):  # exactly, so that equal heights stay equal
+            for point, height, face in (([0.25, 0.5, 0.75], -0.25, 0), ([0.5, 1.5, 1.25], 0.5, 6)):
+                given = (size * np.array(point), size * CUBE, CUBE_FACES)
+                expect(submission.convex_separation, given, (size * height, face))
     with part(1, "one step inwards or outwards along the normal changes it by the step"):
 
         def steady(point, vertices, faces, step):
@@ -145,13 +149,17 @@ def test_any_segment_meets_a_triangle_where_three_equations_say(submission, part
     flat = np.array([[0.0, 0, 0], [4, 0, 0], [0, 4, 0]])
     with part(2, "any segment and triangle"):
         examples.agree(submission.segment_triangle, meeting, segment, count=24)
-    with part(1, "in millimetres and in kilometres; long, short and hardly through"):
-        for size in (1e-4, 1e3):
+    with part(1, "in millimetres and in kilometres; long, short and hardly through; upright triangles"):
+        for size in (1e-6, 1e-4, 1e3, 1e6):
             for case in (([1, 1.5, 2], [1.2, 1, -1], flat), ([1, 1, 3], [1.5, 0.5, 0.25], flat)):
                 scaled = tuple(size * np.asarray(each) for each in case)
                 expect(submission.segment_triangle, scaled, meeting(*scaled))
         for start, end in (([1, 1, 1e4], [1, 1, -1e4]), ([1, 1, 1e-6], [1, 1, -3e-6]), ([1, 1, 1], [1, 1, -1e-4])):
             expect(submission.segment_triangle, (start, end, flat), meeting(np.array(start), np.array(end), flat))
+        for axis in (1, 2):  # upright triangles
+            for start, end in (([1, 0.5, 2], [0.75, 1.25, -1]), ([1, 3.5, 2], [0.75, 4.25, -1])):
+                turned_over = tuple(np.roll(np.array(each), axis, axis=-1) for each in (start, end, flat))
+                expect(submission.segment_triangle, turned_over, meeting(*turned_over))
     with part(1, "beside the plane, without a warning's number"):
         for start, end in (([1, 1, 2], [3, 1, 2]), ([-9, 1, -0.5], [9, 1, -0.5]), ([1, 1, 2], [1, 1, 2])):
             expect(submission.segment_triangle, (start, end, flat), NOWHERE)
@@ -203,8 +211,8 @@ def test_any_point_beside_a_line_is_left_or_right_of_it(submission, part, exampl
             expect(submission.side_of_line, (a, b, c), 0)
     with part(1, "small and large triangles: there is no tolerance"):
         for size in (1e-8, 1e-4, 1e4, 1e8):
-            for c, side in (([1, 1], 1), ([1, -1], -1)):
-                corners = [size * np.asarray(each, dtype=float) for each in ([0, 0], [3, 0.5], c)]
+            for a, c, side in (([0, 0], [1, 1], 1), ([0, 0], [1, -1], -1), ([2, 2], [3, 1], 1), ([2, 2], [2, 1], -1)):
+                corners = [size * np.asarray(each, dtype=float) for each in (a, [3, 0.5], c)]
                 expect(submission.side_of_line, tuple(corners), side)
         expect(submission.side_of_line, ([0, 0], [1, 2], [1, 2.000001]), 1)
         expect(submission.side_of_line, ([0, 0], [1, 2], [1, 1.999999]), -1)
@@ -262,6 +270,8 @@ def test_any_point_in_or_around_a_u(submission, part, examples):
         inside = np.sum(np.abs(grid), axis=1) < 3
         expect(submission.inside_by_parity, (grid, corners, faces), inside)
         expect(submission.inside_by_parity, (grid, corners, faces[:, ::-1]), inside)
+        for size in (1e-6, 1e6):
+            expect(submission.inside_by_parity, (size * grid, size * corners, faces), inside)
     with part(1, "a hollow, two solids, and a solid of loose triangles"):
         shell = np.concatenate([CUBE, 5 * CUBE - 2.1]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
         expect(submission.inside_by_parity, ([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5], [9, 0.5, 0.5]], *shell), [0, 1, 0])
@@ -329,6 +339,8 @@ def test_the_winding_number_of_open_and_closed_surfaces(submission, part, exampl
         expect(submission.winding_number, ([[0.5, 0.25, 0.5], [1.5, 0.25, 0.5], [3, 3, 3]], *twice), [2, 1, 0])
         for size in (1e-6, 1e6):
             expect(submission.winding_number, ([0, 0, 0], size * np.eye(3), np.array([[0, 1, 2]])), 1 / 8)
+            for point, count in (([0.5, 0.25, 0.5], 1), ([1.5, 0.25, 0.5], 0)):
+                expect(submission.winding_number, (size * np.array(point), size * CUBE, CUBE_FACES), count)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.winding_number, without_lid, below_the_lid, single=(1, 2))
 
@@ -357,7 +369,7 @@ def test_any_two_solids_have_a_point_in_common_or_not(submission, part, examples
             both_ways((turned_box(low_a, size_a), CUBE_FACES), (turned_box(low_b, size_b), CUBE_FACES), meet)
 
         examples.every(boxes, as_intervals, count=16)
-    with part(1, "bars through a U and through its pocket, along every axis"):
+    with part(1, "bars through a U and through its pocket, along every axis, in any unit of length"):
         u = U_TURNED, U_FACES
         for low, size, meet in (
             ([2.2, 0.3, -1], [0.2, 0.1, 4], 1), ([2.2, 2.3, -1], [0.2, 0.1, 4], 0), ([-1, 2.2, 0.7], [7, 0.1, 0.2], 1),
@@ -365,6 +377,8 @@ def test_any_two_solids_have_a_point_in_common_or_not(submission, part, examples
             ([2.3, 1.4, 0.6], [0.2, 6, 0.1], 0), ([-1, 2.2, 2.3], [7, 0.1, 0.2], 0),
         ):  # fmt: skip
             both_ways(u, (turned_box(low, size), CUBE_FACES), meet)
+            for unit in (1e-6, 1e6):
+                both_ways((unit * U_TURNED, U_FACES), (unit * turned_box(low, size), CUBE_FACES), meet)
     with part(1, "within, in a hollow, and a corner that belongs to no face"):
         outer, inner = turned_box([0, 0, 0], [4, 4, 4]), turned_box([1.1, 0.9, 1.3], [2, 2, 2])
         shell = np.concatenate([outer, inner]), np.concatenate([CUBE_FACES, CUBE_FACES[:, ::-1] + 8])

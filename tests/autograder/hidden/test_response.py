@@ -14,6 +14,16 @@ FALL = [0.0, 0.0, -8.0]
 INFINITY = math.inf
 
 
+OTHER_UNITS = ((1e-6, 1.0), (1e6, 1.0), (1.0, 1e-6), (1.0, 1e6))
+"""A metre and a second: everything small, large, quick or slow. Formulas are the same in all of them."""
+
+
+def in_units(metre, second, position, velocity, acceleration):
+    """A state of motion in other units."""
+    given = zip((position, velocity, acceleration), range(3), strict=True)
+    return tuple(metre / second**power * np.array(each, dtype=float) for each, power in given)
+
+
 def bounced(velocity, normal, e):
     """Normal and tangential part taken apart, and put together again."""
     normal_part = (velocity @ normal) * normal
@@ -42,8 +52,9 @@ def test_any_plane_turns_the_normal_part_round(submission, part, examples):
 
     with part(2, "any velocity and plane"):
         examples.agree(submission.kinematic_response, bounced, flights)
-    with part(1, "along the plane, at rest, no bounce, perfect bounce"):
+    with part(1, "along the plane, at rest, no bounce, perfect bounce, very slow"):
         for velocity, normal, e in (
+            ([3e-6, 0, -4e-6], UP, 0.5), ([3, 0, -4e-6], UP, 0.0), ([0, 0, 4e-6], UP, 0.5), ([0, 0, -4e6], UP, 0.5),
             ([3, 1, 0], UP, 0.5), (REST, UP, 0.5), ([2, -1, 0], LEANS, 0.5), ([1, 0, -4], UP, 0.0),
             ([1, 0, -4], UP, 1.0), ([0, 0, -4], UP, 1.0), ([3, 1, 5], UP, 0.0), ([3, 1, 5], UP, 1.0),
         ):  # fmt: skip
@@ -71,11 +82,12 @@ def test_every_steady_observer_sees_the_same_bounce(submission, part, examples):
 
     with part(1, "any body and any plane"):
         examples.agree(submission.kinematic_response, seen_from_the_plane, flights, count=20)
-    with part(1, "side by side, along the plane, no bounce, perfect bounce"):
+    with part(1, "side by side, along the plane, no bounce, perfect bounce, very slow and very fast"):
         for velocity, plane, e, after in (
             ([1, 0, -2], [0, 1, -2], 0.5, [1, 0, -2]), (REST, REST, 0.5, REST), ([1, 0, -2], [5, 3, 0], 0.5, [1, 0, 1]),
             ([1, 0, -2], [2, 0, 1], 0.0, [1, 0, 1]), ([0, 0, -2], [0, 0, 2], 1.0, [0, 0, 6]),
             ([0, 1, 3], [0, 0, 1], 0.5, [0, 1, 3]), (REST, [0, 0, 2], 0.5, [0, 0, 3]),
+            ([0, 0, -2e-6], [0, 0, 2e-6], 0.5, [0, 0, 4e-6]), ([0, 0, -2e6], [0, 0, 2e6], 0.5, [0, 0, 4e6]),
         ):  # fmt: skip
             expect(submission.kinematic_response, (velocity, UP, e, plane), after)
     with part(1, "many at once, their arrays left as they were"):
@@ -94,8 +106,10 @@ def test_the_start_of_the_step_decides(submission, part, examples):
 
     with part(2, "any step"):
         examples.agree(submission.respond_at_step, euler_step, steps, count=30)
-    with part(1, "at rest on the floor, along the floor, no bounce, perfect bounce, a step of no length"):
+    with part(1, "at rest on the floor, along the floor, no bounce, perfect bounce, slow, short and no steps"):
         for v, a, behind, e, dt in (
+            ([1e-6, 0, -2e-6], REST, True, 0.5, 0.25), (REST, [0, 0, -2e-6], False, 0.5, 0.25),
+            ([0, 0, -2e-6], [1e-6, 0, -8e-6], True, 0.5, 0.5),
             (REST, FALL, True, 0.5, 0.25), ([3, 1, 0], FALL, True, 0.5, 0.25), ([1, 0, -4], FALL, True, 0.0, 0.25),
             ([1, 0, -4], FALL, True, 1.0, 0.25), ([1, 0, -4], [0, 0, 8], True, 1.0, 0.25),
             ([1, 0, -4], FALL, True, 0.5, 0.0), ([1, 0, -4], FALL, False, 0.5, 0.0),
@@ -104,6 +118,10 @@ def test_the_start_of_the_step_decides(submission, part, examples):
                 np.array([0, 0, -1.0]), np.array(v, dtype=float), np.array(a), np.array(UP), behind, e, dt
             )
             expect(submission.respond_at_step, ([0, 0, -1], v, a, UP, behind, e, dt), right)
+        for metre, second in OTHER_UNITS:
+            state = in_units(metre, second, [0, 0, -1], [1, 0, -4], [1, 0, -8])
+            right = euler_step(*state, np.array(UP), True, 0.5, 0.5 * second)
+            expect(submission.respond_at_step, (*state, UP, True, 0.5, 0.5 * second), right)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.respond_at_step, euler_step, steps)
 
@@ -127,7 +145,7 @@ def test_a_run_is_one_step_after_another(submission, part, examples):
 
     with part(2, "any run"):
         examples.agree(submission.bounce, run, runs)
-    with part(1, "no steps, steps of no length, at rest on the plane, no bounce, perfect bounce, a step on the plane"):
+    with part(1, "no steps, steps of no length, at rest, no bounce, perfect bounce, on the plane, other units"):
         for x, v, a, offset, e, dt, steps in (
             ([0, 0, 1], [1, 0, -4], FALL, 0.0, 0.5, 0.25, 0), ([0, 0, -1], [1, 0, -4], FALL, 0.0, 0.5, 0.0, 3),
             (REST, REST, FALL, 0.0, 0.5, 0.25, 5), ([0, 0, 1], [1, 0, -4], FALL, 0.0, 0.0, 0.25, 6),
@@ -135,6 +153,10 @@ def test_a_run_is_one_step_after_another(submission, part, examples):
         ):  # fmt: skip
             right = run(*(np.array(each, dtype=float) for each in (x, v, a, UP)), offset, e, dt, steps)
             expect(submission.bounce, (x, v, a, UP, offset, e, dt, steps), right)
+        for metre, second in OTHER_UNITS:
+            state = in_units(metre, second, [0, 0, 4.5], [1, 0, -4], [1, 0, -8])
+            right = run(*state, np.array(UP), -metre, 0.5, 0.5 * second, 4)
+            expect(submission.bounce, (*state, UP, -metre, 0.5, 0.5 * second, 4), right)
     with part(2, "the apex differs from e² h by −(1 − e) v Δt/2 on average over the phases of the steps"):
         e, dt, g, drops = 0.5, 0.01, 8.0, 20
         phases = (np.arange(drops) + 0.5) / drops - 0.5
@@ -170,14 +192,22 @@ def test_two_flights_and_a_bounce_between_them(submission, part, examples):
 
     with part(2, "any step"):
         examples.agree(submission.respond_at_impact, step, steps)
-    with part(1, "at the first and the last instant, later, never, on its way out"):
+    with part(1, "at the first and the last instant, later, never, on its way out, slow, a short step"):
         for v, e, time, dt in (
+            ([1e-6, 0, -2e-6], 0.5, 1e-6, 4e-6), ([1, 0, -4], 0.5, 1e-6, 0.5), ([1, 0, -4], 0.5, 1e-6, 1e-5),
+            ([1, 0, -4], 0.5, 200.0, 500.0), ([1, 0, -4], 0.5, 0.250001, 0.25),
             ([1, 0, -4], 0.5, 0.0, 0.25), ([1, 0, -4], 0.5, 0.25, 0.25), ([1, 0, -4], 0.5, 0.5, 0.25),
             ([1, 0, -4], 0.5, INFINITY, 0.25), ([0, 0, 16], 0.5, 0.5, 1.0), ([1, 0, -4], 0.0, 0.25, 0.5),
             ([1, 0, -4], 1.0, 0.25, 0.5), ([1, 0, -4], 0.5, INFINITY, 0.0),
         ):  # fmt: skip
             right = step(np.array([0, 0, 2.0]), np.array(v, dtype=float), np.array(FALL), np.array(UP), e, time, dt)
             expect(submission.respond_at_impact, ([0, 0, 2], v, FALL, UP, e, time, dt), right)
+            right = step(np.zeros(3), np.array(v, dtype=float), np.zeros(3), np.array(UP), e, time, dt)
+            expect(submission.respond_at_impact, (REST, v, REST, UP, e, time, dt), right)
+        for metre, second in OTHER_UNITS:
+            state = in_units(metre, second, [0, 0, 2], [1, 0, -4], [1, 0, -8])
+            right = step(*state, np.array(UP), 0.5, 0.25 * second, 0.75 * second)
+            expect(submission.respond_at_impact, (*state, UP, 0.5, 0.25 * second, 0.75 * second), right)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.respond_at_impact, step, steps)
 
@@ -196,8 +226,10 @@ def test_spring_and_dashpot_push_along_the_normal(submission, part, examples):
     with part(2, "any contact"):
         examples.agree(submission.penalty_force, push, contacts, count=20)
         expect(submission.penalty_force, (-0.5, -3.0, LEANS, 300.0), [50.0, 100.0, 100.0])
-    with part(1, "just touching, no stiffness, with adhesion"):
+    with part(1, "just touching, no stiffness, with adhesion, micrometres deep, very slow"):
         for s, u, k, c, adhesive in (
+            (-1e-6, 0.0, 800.0, 10.0, False), (-1e-6, -2e-6, 8e8, 10.0, False), (-1e-9, 2e-9, 8e8, 2e8, True),
+            (1e-6, 0.0, 8e8, 0.0, True), (-0.5, -2.0, 8e-6, 1e-6, False), (-1e6, -2e6, 800.0, 10.0, False),
             (0.0, 0.0, 800.0, 10.0, False), (0.0, -2.0, 800.0, 10.0, False), (0.0, -2.0, 800.0, 10.0, True),
             (0.25, 3.0, 800.0, 10.0, True), (0.25, -3.0, 800.0, 10.0, True), (-0.5, -2.0, 0.0, 10.0, False),
             (-0.125, 20.0, 800.0, 10.0, True), (-0.125, 4.0, 800.0, 10.0, True), (-0.125, 20.0, 800.0, 10.0, False),
@@ -219,11 +251,14 @@ def test_at_the_limit_a_step_has_the_eigenvalue_minus_one(submission, part, exam
 
     with part(2, "any contact"):
         examples.agree(submission.penalty_step_limit, limit, contacts)
-    with part(1, "no damping, critical, far more than that"):
+    with part(1, "no damping, critical, far more than that; light and hard"):
         expect(submission.penalty_step_limit, (4.0, 100.0), 0.4)
         for c in (0.0, 20.0, 200.0):
             expect(submission.penalty_step_limit, (1.0, 100.0, c), limit(1.0, 100.0, c))
         expect(submission.penalty_step_limit, (1.0, 1.0, 1e6), 2e-6)
+        expect(submission.penalty_step_limit, (1e-3, 1e6, 1e9), 2e-12)
+        for given in ((1e-6, 1e8, 0.0), (1e-6, 1e8, 15.0), (1e6, 1e-2, 75.0), (1e-6, 1e-6, 1e-6)):
+            expect(submission.penalty_step_limit, given, limit(*given))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.penalty_step_limit, limit, contacts)
 
@@ -253,9 +288,12 @@ def test_a_contact_made_to_measure_keeps_to_its_measures(submission, part, examp
 
     with part(2, "any contact"):
         examples.agree(submission.design_contact, made, contacts)
-    with part(1, "perfect bounce, hardly any bounce, less than one step per contact"):
+    with part(1, "perfect bounce, hardly any bounce, less than one step per contact, a grain and a ship"):
         expect(submission.design_contact, (2.0, 3.0, 0.5, 1.0, 10.0), (72.0, 0.0, math.pi / 60))
-        for given in ((1.0, 2.0, 0.125, 0.02, 10.0), (1.0, 2.0, 0.125, 0.5, 0.5)):
+        for given in (
+            (1.0, 2.0, 0.125, 0.02, 10.0), (1.0, 2.0, 0.125, 0.5, 0.5), (1e-9, 1e-6, 1e-9, 0.5, 10.0),
+            (1e6, 1e6, 1e5, 0.8, 1e4),
+        ):  # fmt: skip
             expect(submission.design_contact, given, made(*given))
     with part(1, "in many small steps the body goes no deeper than permitted, and leaves with e times its speed"):
 

@@ -47,8 +47,8 @@ def test_any_ray_meets_a_sphere_half_a_chord_before_its_nearest_point(submission
     with part(1, "any ray that passes by"):
         examples.agree(submission.ray_sphere, met, lambda draw: ray(draw, (1.05, 3)), count=12)
     with part(1, "in millimetres and in kilometres; slowly, from far away, and hardly at all"):
-        for size in (1e-4, 1e3):
-            for speed in (1e-3, 1, 1e4):
+        for size in (1e-6, 1e-4, 1e3, 1e6):
+            for speed in (1e-6, 1e-3, 1, 1e4):
                 x, u = size * np.array([5.0, 4, 2]), size * speed * np.array([-2.0, -1, 0])
                 expect(submission.ray_sphere, (x, u, 3 * size), 2 / speed)
         expect(submission.ray_sphere, ([1e5, 0, 1.5], [-1, 0, 0], 2.5), 1e5 - 2)
@@ -112,10 +112,17 @@ def test_any_two_balls_touch_when_their_centres_are_both_radii_apart(submission,
             xa, va, xb, vb = (np.array(each, dtype=float) for each in (xa, va, xb, vb))
             given = xa, va, ra, xb, vb, rb, dt
             expect(submission.sweep_sphere_sphere, given, touched(*given))
-    with part(1, "two bullets at a kilometre a second"):
+    with part(1, "two bullets at a kilometre a second; grains of dust, and drifting moons"):
         bullets = ([-500, 0, 0.004], [900, 1, 0], 0.005, [500, 1, 0], [-1100, -1, 0], 0.003)
         given = tuple(np.asarray(each, dtype=float) for each in bullets)
         expect(submission.sweep_sphere_sphere, (*bullets, 1.0), touched(*given, 1.0))
+        for size, speed in itertools.product((1e-6, 1e6), (1e-6, 1, 1e6)):
+            moving = (
+                (size * np.array([6.0, 2, 5]), size * speed * np.array([-1.0, 1, 3]), size),
+                (size * np.array([1.0, -2, 3]), size * speed * np.array([1.0, 2, 3]), 2 * size),
+            )
+            expect(submission.sweep_sphere_sphere, (*moving[0], *moving[1], 5 / speed), 2 / speed)
+            expect(submission.sweep_sphere_sphere, (*moving[0], *moving[1], 1.5 / speed), INFINITY)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.sweep_sphere_sphere, touched, flight)
 
@@ -139,7 +146,11 @@ def test_the_share_missed_is_the_mean_over_all_offsets(submission, part, example
 
     with part(2, "any two balls and any looks"):
         examples.agree(submission.missed_share, missed, looks, count=20)
-    with part(1, "only the way over both radii matters, and a longer way misses more"):
+    with part(1, "only the way over both radii matters, and a longer way misses more; any unit"):
+        for size, speed in itertools.product((1e-6, 1e6), (1e-6, 1e6)):
+            for way, share in ((2, 1 / 12), (8, 2 / 3)):
+                given = (way * size * speed, 0.5 * size, 1.5 * size, 1 / speed)
+                expect(submission.missed_share, given, share)
 
         def grows(speed, ra, rb, dt):
             found = [
@@ -214,7 +225,7 @@ def test_any_ray_is_in_a_box_where_six_faces_leave_something_of_it(submission, p
 
         examples.every(through, inside)
     with part(1, "in millimetres and in kilometres, fast and slow"):
-        for size, speed in itertools.product((1e-4, 1e3), (1e-3, 1, 1e4)):
+        for size, speed in itertools.product((1e-6, 1e-4, 1e3, 1e6), (1e-6, 1e-3, 1, 1e4)):
             x, u = size * np.array([-4.0, -1, 2]), size * speed * np.array([2, 1, -0.5])
             expect(submission.ray_box, (x, u, size * half), (1.5 / speed, 2.5 / speed))
     with part(1, "many at once, their arrays left as they were"):
@@ -291,10 +302,10 @@ def test_any_ray_meets_a_capsule_where_its_distance_is_the_radius(submission, pa
         for longer, radius in ((1000, 0.5), (1e-3, 1.0), (1, 1e-3), (1, 3.0), (100, 2.0)):
             given = (x, u, longer * a, longer * b, radius)
             expect(submission.ray_capsule, given, reached(*given))
-    with part(1, "in millimetres and in kilometres"):
-        for size in (1e-4, 1e3):
-            given = tuple(size * each for each in (x, u, a, b, 0.75))
-            expect(submission.ray_capsule, given, reached(x, u, a, b, 0.75))
+    with part(1, "in millimetres and in kilometres, fast and slow"):
+        for size, speed in itertools.product((1e-6, 1e-4, 1e3, 1e6), (1e-6, 1, 1e6)):
+            given = tuple(size * each for each in (x, speed * u, a, b, 0.75))
+            expect(submission.ray_capsule, given, reached(x, u, a, b, 0.75) / speed)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.ray_capsule, reached, towards)
 
@@ -333,9 +344,13 @@ def test_the_bound_holds_at_all_times_and_is_reached(submission, part, examples)
             assert fast >= bound - 1e-3, f"the fastest point moves at {fast:.4g} m/s only"
 
         examples.every(lambda draw: (*motion(draw), draw.unit()), holds)
-    with part(1, "a point, no motion, and turning about n alone"):
+    with part(1, "a point, no motion, turning about n alone, and very slow"):
         n = np.array([2, -3, 6]) / 7
         for v, w, reach in (
+            ([-2e-7, 3e-7, 1e-7], [4e-7, 5e-7, 6e-7], 2.0),
+            (REST, [4, 5, 6], 1e-7),
+            (REST, [4e-7, 5e-7, 6e-7], 1e6),
+            ([-2e6, 3e6, 1e6], [4e6, 5e6, 6e6], 2.0),
             ([1, 2, 3], [4, 5, 6], 0.0),
             (REST, REST, 2.0),
             (REST, 7 * n, 2.0),
@@ -448,6 +463,10 @@ def test_looks_come_in_time_and_are_no_more_than_needed(submission, part, exampl
         given = (rod, np.array([0, 2.0, 0]), np.zeros(3), np.array([0.0, 0, 3]), PLATE, 1.0, 1e-3, 50)
         expect(submission.advance, given, onto_plate(*given))
         refuse_changes(submission.advance)
-    with part(1, "in millimetres"):
-        small = tuple(1e-3 * np.asarray(each) for each in falling[:3])
-        expect(submission.advance, (*small, falling[3], 1e-3 * PLATE, 4.0, 1e-6, 99), (time, used))
+    with part(1, "in micrometres and in kilometres, fast and slow"):
+        for size, speed in ((1e-6, 1), (1e6, 1), (1, 1e-6), (1, 1e6)):
+            aside = np.array([0.25, -0.5, 0.75])
+            points, position, plate = (size * np.asarray(each) for each in (rod, falling[1] + aside, PLATE + aside))
+            moves = size * speed * flies, speed * falling[3]
+            given = (points, position, *moves, plate, 4.0 / speed, 1e-3 * size, 99)
+            expect(submission.advance, given, (time / speed, used))

@@ -46,8 +46,9 @@ def test_the_support_pushes_and_friction_has_the_rest(submission, part):
     "Slide 24. Three cases: it slides, it is held, it gives way.",
 )  # fmt: skip
 def test_friction_opposes_sliding_and_holds_what_it_can(submission, part, examples):
-    with part(1, "it slides"):
+    with part(1, "it slides, however slowly"):
         expect(submission.friction_force, (REST, [3, -4, 0], 10.0, 0.75, 0.5), [-3.0, 4.0, 0.0])
+        expect(submission.friction_force, (REST, [3e-6, -4e-6, 0], 10.0, 0.75, 0.5), [-3.0, 4.0, 0.0])
         expect(submission.friction_force, ([4, 1, 0], [1, -2, 2], 12.0, 0.75, 0.5), [-2.0, 4.0, -4.0])
     with part(1, "it is held, and it gives way"):
         expect(submission.friction_force, ([3, 1, 0], REST, 10.0, 0.75, 0.5), [-3.0, -1.0, 0.0])

@@ -134,6 +134,10 @@ def test_an_edge_meets_a_face_where_it_is_within_all_sides(submission, part):
             ([0.125, 0.25, 0.625], 0.5, [0, 0, 1]),
         ):  # fmt: skip
             expect(submission.segment_triangle, (*through(weights, fraction, way), CORNERS), (fraction, weights))
+        upright = np.array([[2.0, 0, 0], [2, 4, 0], [2, 0, 4]])
+        for axis in range(3):  # a face across each of the axes in turn
+            given = (np.roll(each, axis, axis=-1) for each in ([0.0, 0, 2.5], [8.0, 4, 0.5], upright))
+            expect(submission.segment_triangle, tuple(given), (0.25, [0.25, 0.25, 0.5]))
     with part(1, "through the plane, but beside the face: beyond one side or two"):
         for weights in (
             [-0.25, 0.75, 0.5], [0.75, -0.25, 0.5], [0.5, 0.75, -0.25],
@@ -178,6 +182,9 @@ def test_a_point_is_left_of_a_line_on_it_or_right(submission, part):
             expect(submission.side_of_line, (b, a, c), -side)
         expect(submission.side_of_line, ([-3, 1], [-5, -2], [-4, -2]), 1)
         expect(submission.side_of_line, ([-3, 1], [-5, -2], [-5, -1]), -1)
+        for size in (2.0**-20, 2.0**20):  # in other units of length
+            for c, side in (([1, 1], 1), ([4, -1], -1), ([2, 0], 1), ([9, 9], -1)):
+                expect(submission.side_of_line, tuple(size * np.array([a, b, c], dtype=float)), side)
     with part(1, "on the line: between its points, beyond them, at one of them; and no line at all"):
         for c in ([7, 8], [-2, -7], [2.5, 0.5], a, b):
             expect(submission.side_of_line, (a, b, c), 0)
@@ -220,6 +227,9 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
         ):  # fmt: skip
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES), inside)
             expect(submission.inside_by_parity, (place, L_SOLID, L_FACES[:, ::-1]), inside)
+            for size in (1e-3, 1e3):  # in other units of length
+                given = (size * np.array(place), size * L_SOLID, L_FACES)
+                expect(submission.inside_by_parity, given, inside)
     with part(1, "a ray through a diagonal, an edge or a corner; also of a speck, far away, and close to the surface"):
         expect(submission.inside_by_parity, ([1, 1, 1], CUBE, CUBE_FACES), 1)
         expect(submission.inside_by_parity, ([0, 0, 0], OCTAHEDRON, EIGHT), 1)
@@ -303,8 +313,11 @@ def test_two_solids_meet_by_an_edge_or_by_what_lies_within(submission, part):
     with part(1, "a bar through a cube: no corner of either is in the other"):
         expect(submission.polyhedra_intersect, (cube, CUBE_FACES, bar, CUBE_FACES), True)
         expect(submission.polyhedra_intersect, (bar, CUBE_FACES, cube, CUBE_FACES), True)
-    with part(1, "one within the other"):
+    with part(1, "one within the other, or a part of it"):
         within = box([0.5, 0.7, 0.8], [0.3, 0.4, 0.5])
+        two = np.concatenate([box([3, 0, 0], [1, 1, 1]), within]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
+        expect(submission.polyhedra_intersect, (*two, cube, CUBE_FACES), True)
+        expect(submission.polyhedra_intersect, (cube, CUBE_FACES, *two), True)
         expect(submission.polyhedra_intersect, (cube, CUBE_FACES, within, CUBE_FACES), True)
         expect(submission.polyhedra_intersect, (within, CUBE_FACES, cube, CUBE_FACES), True)
     with part(1, "in the pocket of an L, and through its arm"):

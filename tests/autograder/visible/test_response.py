@@ -183,6 +183,7 @@ def test_the_contact_pushes_while_they_overlap_and_never_pulls(submission, part)
     with part(1, "in front of the plane, or touching it"):
         expect(submission.penalty_force, (0.5, -2.0, UP, 800.0, 10.0), REST)
         expect(submission.penalty_force, (0.5, -50.0, UP, 800.0, 10.0), REST)
+        expect(submission.penalty_force, (0.5, 2.0, UP, 800.0, 10.0, True), REST)
         expect(submission.penalty_force, (0.0, -2.0, UP, 800.0, 10.0), REST)  # touching
     with part(1, "moving out fast"):
         expect(submission.penalty_force, (-0.125, 20.0, UP, 800.0, 10.0), REST)
@@ -197,10 +198,11 @@ def test_the_contact_pushes_while_they_overlap_and_never_pulls(submission, part)
     "Write one step of semi-implicit Euler as a matrix. When has it the eigenvalue −1?",
 )  # fmt: skip
 def test_a_stiff_contact_needs_a_short_step(submission, part):
-    with part(1, "without damping, with it"):
+    with part(1, "without damping, with it, and with very much of it"):
         expect(submission.penalty_step_limit, (1.0, 100.0), 0.2)
         expect(submission.penalty_step_limit, (1.0, 100.0, 15.0), 0.1)  # ζ = 3/4
         expect(submission.penalty_step_limit, (2.0, 200.0, 30.0), 0.1)  # twice as much of everything
+        expect(submission.penalty_step_limit, (1.0, 100.0, 1e10), 2e-10)  # 2 m/c, with all its digits
     with part(1, "several in one call"):
         expect(submission.penalty_step_limit, (1.0, 100.0, [0.0, 15.0]), [0.2, 0.1])
 

@@ -279,10 +279,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: ("size for it: np.where(flat…",),
     },
     "_weights": {
-        "The three areas are in one plane, and seen along any axis they have the same shares.": (
-            "axis …: np.vecdot(normal…",
-            "axis …: np.cross(following… → without(…",
-        ),
         "Within the triangle no area is negative.": (
             "limit dropped: np.maximum(areas, 0.0) → shaped(areas, 0.0)",
             "size for it: areas / …",

@@ -136,6 +136,9 @@ def _triangle() -> list[Probe]:
         usual("it does not come as far", *_through([0.25, 0.5, 0.25], 1.25, down)),
         usual("it starts behind the triangle", *_through([0.25, 0.5, 0.25], -0.5, down)),
         usual("straight down on a triangle that lies flat", [1, 1, 3], [1, 1, -1], flat),
+        usual("an upright triangle", [-1, 1, 1], [3, 1.5, 0.5], [[0, 0, 0], [0, 4, 0], [0, 0, 4]]),
+        usual("another upright triangle", [1, 2, 1], [1.5, -2, 0.5], [[0, 0, 0], [4, 0, 0], [0, 0, 4]]),
+        usual("past an upright triangle", [-1, 3, 3], [3, 3.5, 2.5], [[0, 0, 0], [0, 4, 0], [0, 0, 4]]),
         edge("along the plane of the triangle, beside it", [1, 1, 2], [3, 1, 2], flat),
         edge("hardly into the triangle", *_through([0.25, 0.5, 0.25], 0.999, down)),
         edge("from just before the triangle", *_through([0.25, 0.5, 0.25], 0.001, down)),
@@ -179,7 +182,7 @@ def _side() -> list[Probe]:
         edge("no line", [1, -2], [1, -2], [4, 3]),
         edge("all three points at the origin", [0, 0], [0, 0], [0, 0]),
         edge("hardly to the left", [0, 0], [1, 2], [1, 2.001]),
-        edge("a tenth of a millimetre", [0, 0], [1e-4, 2e-4], [-1e-4, 1e-4]),
+        edge("a tenth of a thousandth of a millimetre", [0, 0], [1e-7, 2e-7], [-1e-7, 1e-7]),
         edge("very long", [0, 0], [1e6, 2e6], [1e6, -1e6]),
         refused("a coordinate that is no number", [0, 0], [1, float("nan")], [1, 1]),
         refused("points in space", [0, 0, 0], [1, 0, 0], [0, 1, 0]),
@@ -227,6 +230,8 @@ def _parity() -> list[Probe]:
         usual("in a hollow", [0.25, 0.125, 0.375], *nested),
         usual("in the wall of a hollow solid", [1.75, 0.125, 0.375], *nested),
         usual("in a solid turned inside out", [0.3, 0.6, 0.7], L_SOLID, L_FACES[:, ::-1]),
+        usual("in a cube of two kilometres", [300, 125, -250], 1000 * CUBE, CUBE_FACES),
+        usual("in a cube of two millimetres", [0.0003, 0.00025, -0.0005], 0.001 * CUBE, CUBE_FACES),
         edge("in the middle of a cube: the diagonals of its sides", [0, 0, 0], CUBE, CUBE_FACES),
         edge("in a cube, a diagonal above", [0.5, 0.5, 0.25], CUBE, CUBE_FACES),
         edge("in the middle of an octahedron: its corners", [0, 0, 0], OCTAHEDRON, EIGHT),
@@ -309,6 +314,7 @@ def _intersect() -> list[Probe]:
     shell = np.concatenate([cube[0], within[0]]), np.concatenate([CUBE_FACES, CUBE_FACES[:, ::-1] + 8])
     crumb = _box([0.55, 0.75, 0.85], [0.1, 0.1, 0.1])
     parts = np.concatenate([crumb[0], aside[0]]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
+    turned_parts = np.concatenate([aside[0], crumb[0]]), parts[1]
     pairs = [
         ("a corner of one in the other", cube, corner),
         ("apart", cube, aside),
@@ -319,6 +325,7 @@ def _intersect() -> list[Probe]:
         ("in the hollow of a shell", shell, crumb),
         ("a bar through a shell", shell, bar),
         ("of two parts, one within the other solid", parts, cube),
+        ("of two parts, the second within the other solid", turned_parts, cube),
         ("far apart", cube, _box([50, 60, 70], [1, 2, 3])),
         ("as they lie: an L and a tetrahedron", l_solid, (TETRAHEDRON, SIDES)),
         ("a small tetrahedron beside an L", l_solid, (TETRAHEDRON / 10, SIDES)),

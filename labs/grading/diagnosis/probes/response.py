@@ -144,6 +144,7 @@ def _penalty_force() -> list[Probe]:
         usual("in front of the plane", 0.25, 0.0, UP, 800.0, 10.0, False),
         usual("in front of the plane, moving in", 0.25, -3.0, UP, 800.0, 10.0, False),
         usual("in front of the plane, with adhesion", 0.25, 3.0, UP, 800.0, 10.0, True),
+        usual("in front of a plane that leans, with adhesion", 0.5, -2.0, LEANS, 60.0, 9.0, True),
         usual("damping and adhesion left out", -0.5, -3.0, UP, 400.0),
         usual("a plane that leans", -0.25, -1.0, LEANS, 100.0, 5.0, False),
         edge("touching exactly", 0.0, 0.0, UP, 800.0, 10.0, False),
@@ -170,6 +171,7 @@ def _step_limit() -> list[Probe]:
         usual("a lot of damping", 1.0, 100.0, 200.0),
         usual("heavy", 50.0, 200.0, 10.0),
         edge("far more damping than anything else", 1.0, 1.0, 1e4),
+        edge("so much damping that a difference has no digits left", 1.0, 100.0, 1e10),
         refused("no mass", 0.0, 100.0, 0.0),
         refused("a negative damping", 1.0, 100.0, -1.0),
     ]

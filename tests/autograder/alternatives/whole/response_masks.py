@@ -60,7 +60,7 @@ def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, a
 
 def penalty_step_limit(mass, stiffness, damping=0.0):
     zeta = np.asarray(damping) / np.sqrt(4 * np.asarray(stiffness) * mass)
-    return np.sqrt(4 * np.asarray(mass) / stiffness) * (np.hypot(1, zeta) - zeta)
+    return np.sqrt(4 * np.asarray(mass) / stiffness) / (np.hypot(1, zeta) + zeta)
 
 
 def design_contact(mass, speed, depth, restitution, steps_per_contact):

@@ -52,7 +52,7 @@ def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, a
 def penalty_step_limit(mass, stiffness, damping=0.0):
     w = math.sqrt(stiffness / mass)
     z = damping / (2 * math.sqrt(stiffness * mass))
-    return 2 / w * (math.sqrt(1 + z * z) - z)
+    return 2 / w / (math.sqrt(1 + z * z) + z)
 
 
 def _kept(zeta):

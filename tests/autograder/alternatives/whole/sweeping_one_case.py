@@ -91,7 +91,7 @@ def nearest_to_origin(points):
     while True:
         x = weights @ points[chosen]
         next_one = int(np.argmin(points @ x))
-        if next_one in chosen or points[next_one] @ x >= x @ x - 1e-13 * max(1.0, np.max(np.abs(points)) ** 2):
+        if next_one in chosen or points[next_one] @ x >= x @ x - 1e-13 * np.max(np.abs(points)) ** 2:
             return x
         chosen, weights = [*chosen, next_one], np.append(weights, 0.0)
         while True:
@@ -109,9 +109,10 @@ def nearest_to_origin(points):
 
 
 def separation_of_hulls(points_a, points_b):
-    x = nearest_to_origin(np.array([a - b for a in points_a for b in points_b]))
+    ways = np.array([a - b for a in points_a for b in points_b])
+    x = nearest_to_origin(ways)
     size = math.sqrt(dot(x, x))
-    return (size, x / size) if size > 1e-9 else (0.0, 0 * x)
+    return (size, x / size) if size > 1e-9 * np.max(np.abs(ways)) else (0.0, 0 * x)
 
 
 def advance(points_a, position_a, velocity_a, angular_velocity_a, points_b, dt, tolerance, looks):

@@ -13,6 +13,7 @@ from labs.grading.diagnosis import recognition
 from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.probes import probed
+from reference import lecture
 
 STUDENTS = Path(__file__).parents[3] / "autograder" / "students"
 SLOW = pytest.mark.slow
@@ -43,7 +44,7 @@ FOUND = {
     "kinematic_response_4": ("unknown", []),
     "kinematic_response_5": ("named", ["root of e"]),
     "kinematic_response_11": ("named", ["velocity in the plane's frame"]),
-    "kinematic_response_12": ("unknown", []),
+    "kinematic_response_12": ("named", ["plane's velocity once, where it gains"]),
     "respond_at_step_1": ("unknown", []),
     "respond_at_step_2": ("named", ["euler"]),
     "respond_at_impact_1": ("named", ["rest of the step lost"]),
@@ -52,7 +53,7 @@ FOUND = {
     "penalty_step_limit_1": ("named", ["damping left out"]),
     "friction_force_1": ("named", ["sign of each component"]),
     "friction_force_2": ("named", ["the slide's static friction"]),
-    "friction_force_3": ("named", ["none at rest"]),
+    "friction_force_3": ("likely", ["none at rest"]),
     "clamp_to_circle_1": ("named", ["each component alone"]),
     "clamp_to_circle_2": ("named", ["always the limit"]),
     "propagate_impacts_1": ("named", ["one pass"]),
@@ -75,7 +76,7 @@ FOUND = {
     "collide_3": ("unknown", []),
     "collide_4": ("named", ["no rebound"]),
     "resting_problem_1": ("named", ["force for acceleration"]),
-    "sliding_motion_1": ("unknown", []),
+    "sliding_motion_1": ("named", ["step of a game"]),
     "break_away_time_1": ("unknown", []),
     "signed_distance_5": ("unknown", []),
     "time_of_impact_interpolated_4": ("unknown", []),
@@ -143,6 +144,168 @@ FOUND = {
     "respond_at_impact_4": ("named", ["Δt for T"]),
     "side_of_plane_4": ("named", ["moved plane forwards"]),
     "resting_problem_2": ("named", ["no mass"]),
+    "kinematic_response_15": ("named", ["left in the plane's frame"]),
+    "kinematic_response_16": ("named", ["whole velocity turned"]),
+    "kinematic_response_17": ("named", ["root of e"]),
+    "kinematic_response_18": ("named", ["guard of the body alone"]),
+    "kinematic_response_19": ("named", ["plane's velocity once, where it gains"]),
+    "kinematic_response_20": ("named", ["tangent damped too"]),
+    "respond_at_step_4": ("named", ["no acceleration in the step"]),
+    "respond_at_step_5": ("named", ["euler"]),
+    "respond_at_step_6": ("named", ["weight carried behind"]),
+    "respond_at_step_7": ("named", ["holds what is pulled off"]),
+    "respond_at_step_8": ("named", ["steps, then responds"]),
+    "respond_at_step_9": ("named", ["parabola"]),
+    "bounce_1": ("named", ["offset subtracted"]),
+    "bounce_2": ("named", ["steps, then responds"]),
+    "bounce_3": ("named", ["touching is behind"]),
+    "bounce_4": ("named", ["every row is the last"]),
+    "bounce_5": ("shape", []),
+    "bounce_6": ("named", ["put back on the plane"]),
+    "respond_at_impact_5": ("named", ["a whole step after the impact"]),
+    "respond_at_impact_6": ("named", ["velocity of the start"]),
+    "respond_at_impact_7": ("named", ["euler"]),
+    "respond_at_impact_8": ("named", ["always struck"]),
+    "respond_at_impact_9": ("named", ["weight carried after"]),
+    "respond_at_impact_10": ("named", ["T for a share"]),
+    "penalty_force_4": ("named", ["damping drives"]),
+    "penalty_force_5": ("likely", ["damping on the way in alone"]),
+    "penalty_force_6": ("named", ["damping weakens"]),
+    "penalty_force_7": ("named", ["dashpot at a distance"]),
+    "penalty_force_8": ("named", ["adhesion without an end"]),
+    "penalty_force_9": ("named", ["components clamped"]),
+    "penalty_step_limit_3": ("named", ["damping left out"]),
+    "penalty_step_limit_4": ("named", ["damping helps"]),
+    "penalty_step_limit_5": ("named", ["damped frequency"]),
+    "penalty_step_limit_6": ("named", ["smaller of two limits"]),
+    "penalty_step_limit_7": ("unknown", []),
+    "penalty_step_limit_8": ("named", ["digits lost"]),
+    "design_contact_1": ("named", ["energy of the spring without its half"]),
+    "design_contact_2": ("named", ["depth of rest"]),
+    "design_contact_3": ("named", ["1 − e for the ratio"]),
+    "design_contact_4": ("named", ["damping that pulls"]),
+    "design_contact_5": ("named", ["whole period"]),
+    "design_contact_6": ("named", ["depth over speed, there and back"]),
+    "support_force_1": ("named", ["acceleration added"]),
+    "support_force_2": ("named", ["weight alone presses"]),
+    "support_force_3": ("named", ["lifting presses"]),
+    "support_force_4": ("named", ["nothing along where it lifts off"]),
+    "support_force_5": ("named", ["acceleration without the mass"]),
+    "support_force_6": ("named", ["z left out"]),
+    "friction_force_8": ("likely", ["static wherever it would hold"]),
+    "friction_force_9": ("named", ["square limit"]),
+    "friction_force_10": ("named", ["static when it gives way"]),
+    "friction_force_11": ("named", ["slow is at rest"]),
+    "friction_force_12": ("named", ["no more than the push"]),
+    "friction_force_13": ("likely", ["against the push while sliding"]),
+    "sliding_motion_3": ("named", ["stays where it stops"]),
+    "sliding_motion_4": ("named", ["kinetic limit"]),
+    "sliding_motion_5": ("named", ["push left out of the stop"]),
+    "sliding_motion_6": ("named", ["step of a game"]),
+    "sliding_motion_7": ("named", ["never starts"]),
+    "sliding_motion_8": ("named", ["a whole step after the stop"]),
+    "clamp_to_circle_3": ("named", ["diamond"]),
+    "clamp_to_circle_4": ("named", ["always the limit"]),
+    "clamp_to_circle_5": ("named", ["share squared"]),
+    "clamp_to_circle_6": ("named", ["nothing beyond the limit"]),
+    "clamp_to_circle_7": ("named", ["level floors alone"]),
+    "clamp_to_circle_8": ("named", ["one for all"]),
+    "roll_step_1": ("named", ["sign of the arm"]),
+    "roll_step_2": ("named", ["slip stopped as for a block"]),
+    "roll_step_3": ("named", ["against the velocity until it rolls"]),
+    "roll_step_4": ("named", ["a hollow ball"]),
+    "roll_step_5": ("named", ["never rolls"]),
+    "roll_step_6": ("named", ["along x alone"]),
+    "break_away_time_2": ("named", ["lengths for vectors"]),
+    "break_away_time_3": ("likely", ["normal force constant"]),
+    "break_away_time_4": ("unknown", []),
+    "break_away_time_5": ("unknown", []),
+    "break_away_time_6": ("likely", ["pulled off as if pressed on"]),
+    "break_away_time_7": ("likely", ["a steady push holds"]),
+    "face_planes_1": ("named", ["inwards"]),
+    "face_planes_2": ("named", ["offset of the long normal"]),
+    "face_planes_3": ("named", ["offset without the minus"]),
+    "face_planes_4": ("named", ["away from the middle"]),
+    "face_planes_5": ("named", ["distance for offset"]),
+    "face_planes_6": ("named", ["one length for all"]),
+    "convex_separation_1": ("named", ["nearest plane"]),
+    "convex_separation_2": ("named", ["nothing outside"]),
+    "convex_separation_3": ("named", ["nearest corner"]),
+    "convex_separation_4": ("named", ["nearest middle"]),
+    "convex_separation_5": ("named", ["last of equals"]),
+    "convex_separation_6": ("named", ["long normals"]),
+    "segment_triangle_1": ("named", ["beyond the end"]),
+    "segment_triangle_2": ("named", ["unsigned areas"]),
+    "segment_triangle_3": ("named", ["from the front alone"]),
+    "segment_triangle_4": ("named", ["weights of the wrong corners"]),
+    "segment_triangle_5": ("named", ["length for fraction"]),
+    "segment_triangle_6": ("named", ["seen from above alone"]),
+    "side_of_line_1": ("named", ["right for left"]),
+    "side_of_line_2": ("named", ["above for left"]),
+    "side_of_line_3": ("named", ["tolerance"]),
+    "side_of_line_4": ("named", ["scalar product"]),
+    "side_of_line_5": ("named", ["c from the origin"]),
+    "side_of_line_6": ("named", ["on the line is right"]),
+    "inside_by_parity_1": ("likely", ["behind all faces"]),
+    "inside_by_parity_2": ("named", ["border counted twice"]),
+    "inside_by_parity_3": ("named", ["far away is near"]),
+    "inside_by_parity_4": ("named", ["line for ray"]),
+    "inside_by_parity_5": ("named", ["between two faces"]),
+    "inside_by_parity_6": ("named", ["moved along x alone"]),
+    "winding_number_1": ("named", ["inwards"]),
+    "winding_number_2": ("named", ["rounded"]),
+    "winding_number_3": ("named", ["unsigned angles"]),
+    "winding_number_4": ("named", ["over the half sphere"]),
+    "winding_number_5": ("named", ["size of the sum"]),
+    "winding_number_6": ("named", ["flat areas"]),
+    "polyhedra_intersect_1": ("named", ["corners alone"]),
+    "polyhedra_intersect_2": ("named", ["edges alone"]),
+    "polyhedra_intersect_3": ("named", ["from A alone"]),
+    "polyhedra_intersect_4": ("named", ["boxes around them"]),
+    "polyhedra_intersect_5": ("named", ["one corner of each"]),
+    "polyhedra_intersect_6": ("named", ["within the box around it"]),
+    "ray_sphere_1": ("named", ["direction of length 1"]),
+    "ray_sphere_2": ("likely", ["exit from within"]),
+    "ray_sphere_3": ("named", ["behind the start"]),
+    "ray_sphere_4": ("named", ["metres for seconds"]),
+    "ray_sphere_5": ("named", ["nearest point"]),
+    "ray_sphere_6": ("named", ["moving away is a miss"]),
+    "sweep_sphere_sphere_1": ("named", ["seen from the other side"]),
+    "sweep_sphere_sphere_2": ("named", ["beyond the step"]),
+    "sweep_sphere_sphere_3": ("named", ["parting is no touch"]),
+    "sweep_sphere_sphere_4": ("named", ["overlap at the end alone"]),
+    "sweep_sphere_sphere_5": ("named", ["radii by Pythagoras"]),
+    "sweep_sphere_sphere_6": ("named", ["A's velocity alone"]),
+    "missed_share_1": ("named", ["the slab of slide 9"]),
+    "missed_share_2": ("named", ["short ways miss nothing"]),
+    "missed_share_3": ("named", ["line for disk"]),
+    "missed_share_4": ("named", ["mean chord"]),
+    "missed_share_5": ("named", ["chords of half the length"]),
+    "missed_share_6": ("named", ["seen, not missed"]),
+    "ray_box_1": ("named", ["along an axis is inside"]),
+    "ray_box_2": ("named", ["faces in a fixed order"]),
+    "ray_box_3": ("named", ["line for ray"]),
+    "ray_box_4": ("named", ["in any slab"]),
+    "ray_box_5": ("named", ["whole edges for half"]),
+    "ray_box_6": ("named", ["open box"]),
+    "ray_capsule_1": ("named", ["ends left out, except from within"]),
+    "ray_capsule_2": ("named", ["endless cylinder"]),
+    "ray_capsule_3": ("named", ["side left out"]),
+    "ray_capsule_4": ("named", ["along it is a miss"]),
+    "ray_capsule_5": ("likely", ["exit from within"]),
+    "ray_capsule_6": ("named", ["flat ends, longer by the radius"]),
+    "motion_bound_1": ("named", ["size along n"]),
+    "motion_bound_2": ("named", ["whole turning"]),
+    "motion_bound_3": ("named", ["n·ω for n × ω"]),
+    "motion_bound_4": ("named", ["whole velocity"]),
+    "motion_bound_5": ("named", ["turning left out"]),
+    "motion_bound_6": ("named", ["reach left out"]),
+    "advance_1": ("named", ["turning left out of the bound"]),
+    "advance_2": ("named", ["does not turn"]),
+    "advance_3": ("named", ["first direction kept"]),
+    "advance_4": ("named", ["apart when undecided"]),
+    "advance_5": ("named", ["places turned about the origin"]),
+    "advance_6": ("named", ["along tangents"]),
 }
 
 
@@ -165,8 +328,9 @@ def diagnosed(name, function):
     return recognition.diagnose(name, lambda _, *arguments: function(*arguments))
 
 
-LOTS = {lot: written(lot) for lot in ("first", "second", "third")}
-ANSWERS = LOTS["first"] | LOTS["second"] | LOTS["third"]
+LOTS = {lot: written(lot) for lot in ("first", "second", "third", "fourth")}
+ANSWERS = LOTS["first"] | LOTS["second"] | LOTS["third"] | LOTS["fourth"]
+IN_EVERY_RUN = {*list(LOTS["third"])[::5], *list(LOTS["fourth"])[::40]}
 
 
 @SLOW
@@ -174,25 +338,42 @@ def test_every_wrong_answer_by_others_has_its_expected_diagnosis():
     assert list(ANSWERS) == list(FOUND)
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=() if name in list(LOTS["third"])[::5] else SLOW) for name in ANSWERS]
-)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=() if name in IN_EVERY_RUN else SLOW) for name in ANSWERS])
 def test_a_wrong_answer_by_others_is_named_as_a_person_would_or_not(name):
     found = diagnosed(name.rpartition("_")[0], ANSWERS[name])
     assert (found.verdict, [entry.id.split("/")[1] for entry in found.mistakes]) == FOUND[name]
 
 
 @SLOW
-@pytest.mark.parametrize("lots", [("first", "second"), ("second",), ("third",)], ids="-".join)
+@pytest.mark.parametrize("lots", [("first", "second"), ("second",), ("third",), ("fourth",)], ids="-".join)
 def test_four_of_five_mistakes_by_others_are_named(lots):
     """89 of the first 108, 86 of them for certain; of the 38 of these written when the rules stood too, 34.
 
+    Two more are named since the bank has entries for the fourth lot.
+
     The third lot is about loose readings of the slides: 9 of its 45 were named before the bank had entries for these.
     Answers to functions that no student writes any more are left out, four of the third lot among them.
+
+    The fourth lot is by somebody who had not seen the bank. Before the bank knew it, 105 of the 162 were named, that is
+    65 %: two thirds in three labs, half in the lab on friction (`NAMED_UNSEEN`). No name was wrong. With entries and
+    probes for the others it is 158. What a class will show is nearer to the 65 %.
     """
     answers = [name for lot in lots for name in LOTS[lot]]
     named = [name for name in answers if FOUND[name][1]]
     assert len(named) / len(answers) >= 0.8
+
+
+NAMED_UNSEEN = {"response": 29, "friction": 18, "polyhedra": 28, "sweeping": 30}
+"""Of the six for each function of the fourth lot, so many were named by a bank that was made without them."""
+
+
+@SLOW
+@pytest.mark.parametrize("topic", NAMED_UNSEEN)
+def test_four_of_five_mistakes_of_each_lab_are_named_by_now(topic):
+    answers = [name for name in LOTS["fourth"] if lecture.function(name.rpartition("_")[0]).topic == topic]
+    named = [name for name in answers if FOUND[name][1]]
+    assert len(answers) == 6 * len([entry for entry in lecture.functions_of(topic) if entry.role == "written"])
+    assert NAMED_UNSEEN[topic] < 0.8 * len(answers) <= len(named)
 
 
 @SLOW

@@ -11,7 +11,7 @@ from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.fingerprints import reading
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known
 from labs.grading.diagnosis.probes import Probe
-from labs.grading.diagnosis.recognition import DIFFERENT, LEAST, diagnose
+from labs.grading.diagnosis.recognition import DIFFERENT, LEAST, SHOWN_FOR_EACH_SPARED, diagnose
 from labs.grading.diagnosis.words import example_of
 
 SINGLE = [*(Probe((float(x),), "usual", f"case {x}") for x in range(1, 7)), Probe((0.0,), "edge", "nothing"),
@@ -134,6 +134,17 @@ def test_one_wrong_number_repeated_makes_a_mistake_only_likely():
 
 def test_a_mistake_in_the_usual_cases_alone_is_likely():
     assert told(by_number(at([0, 9], lambda x: x - 3, twice), twice)) == ("likely", "twice")
+
+
+def test_a_mistake_that_a_case_of_its_own_spares_somewhere_is_likely():
+    assert SHOWN_FOR_EACH_SPARED == 3
+    spared_once = at([1], lambda x: x, twice)
+    assert told(by_number(spared_once, twice)) == ("likely", "twice")
+    found = diagnose("f", lambda _, x: by_number(spared_once, twice)(x))
+    assert (found.odd, found.spares_cases, found.spares_limits) == (None, True, False)
+    assert "some cases are right that it would get wrong" in " ".join(words.told(found).split())
+    assert told(by_number(at([1, 2], lambda x: x, twice), twice)) == ("unknown",)  # five wrong, two spared
+    assert told(by_number(at([1], lambda x: x, at([2], one_more, twice)), twice)) == ("unknown",)  # of another mistake
 
 
 def test_an_inherited_mistake_in_the_usual_cases_alone_is_not_named():
