@@ -112,7 +112,9 @@ MAY_BE_INFINITE = (
 )  # fmt: skip
 """Functions that students write and that return infinity on purpose in some cases: no division by zero gave it."""
 MAY_BE_NO_NUMBER = ("segment_triangle", "advance")
-"""Those that return NaN on purpose beside it: such an answer says that nothing was found."""
+"""Those that return NaN on purpose, most of them beside infinity: such an answer says that nothing was found."""
+NO_NUMBER_ALONE = ("advance",)
+"""Those whose NaN stands alone: it says that all looks were used up."""
 _NOT_FINITE = re.compile(
     r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )([^\n]*)\n *physics (?![^\n]*\binf\b)", re.MULTILINE
 )
@@ -133,7 +135,8 @@ def advice(message: str, given: Collection[str] = ()) -> str:
         called = _CALLED.search(message)
         if called is None or called[1] not in MAY_BE_INFINITE:
             return _INF + _NAN
-        on_purpose = called[1] in MAY_BE_NO_NUMBER and "inf" in found[2]
+        beside = called[1] in MAY_BE_NO_NUMBER and "inf" in found[2]
+        on_purpose = beside or called[1] in NO_NUMBER_ALONE
         return _NAN if "nan" in found[2] and not on_purpose else ""
     return ""
 
