@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
+from reference import lecture
+
 _NUMBER_OR_MANY = (
     "It is called with one number, or with an array of many: np.where and NumPy's functions take both, a loop does not;"
     " components stand along the last axis, a[..., 0]."
@@ -128,6 +130,8 @@ def advice(message: str, given: Collection[str] = ()) -> str:
     """What to do about an error; empty if nothing is sure. given: names that a notebook's given cells define."""
     if (unknown := _UNKNOWN_NAME.search(message)) and unknown[1] in given:
         return f"{unknown[1]} comes from a cell of the lab that was not run, or is gone: Run ▸ Run All Above."
+    if unknown and unknown[1] in lecture.FUNCTIONS:
+        return f"{unknown[1]} is a function of a lab: write it, and run its cell before this one."
     for pattern, words in _ADVICE:
         if found := re.search(pattern, message, re.MULTILINE):
             return found.expand(words)
