@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 
-from labs.grading.calling.scenario_runs import compared_with_theory, with_solutions
 from labs.grading.judging.comparison import expect, numbers, refuse_changes
 from labs.grading.judging.markers import asks
 
@@ -37,7 +36,7 @@ def met(x, u, radius):
 def ray(draw, shares=(0.05, 0.95)):
     """A ray that passes a sphere at a share of its radius: it comes, it goes, or it starts within."""
     u, radius = draw.vector(4), draw.number(0.3, 3)
-    nearest = beside(draw, u, draw.number(*shares) * radius)
+    nearest = beside(draw, u, (draw.number(*shares) + 0.003) * radius)  # so that none grazes the sphere
     return nearest - draw.rng.choice([1, 1, 1, -1, 0]) * draw.number(0.5, 4) * (1 + radius / length(u)) * u, u, radius
 
 
@@ -119,13 +118,6 @@ def test_any_two_balls_touch_when_their_centres_are_both_radii_apart(submission,
         expect(submission.sweep_sphere_sphere, (*bullets, 1.0), touched(*given, 1.0))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.sweep_sphere_sphere, touched, flight)
-
-
-@asks("sweep_sphere_sphere", 1, "Two balls that meet are turned aside, however fast they are.")
-def test_very_fast_balls_turn_each_other_aside(submission, part):
-    code = with_solutions(submission, "sweeping")
-    with part(1, "marbles at 120 m/s"):
-        compared_with_theory(code, "passing-balls", ("v=120",), ("passed", "exchanged"))
 
 
 HALF_CHORDS = (np.arange(20_000) + 0.5) / 20_000
@@ -269,7 +261,7 @@ def towards(draw):
 @asks("ray_capsule", 7, "The first time at which the distance from the segment is the radius.")
 def test_any_ray_meets_a_capsule_where_its_distance_is_the_radius(submission, part, examples):
     with part(2, "any ray and capsule"):
-        examples.agree(submission.ray_capsule, reached, towards, count=20)
+        examples.agree(submission.ray_capsule, reached, towards, count=14)
     with part(1, "along the segment, through its middle and beside it; straight across"):
         a, b = np.array([1.0, -1, 2]), np.array([3.0, 3, 6])
         along, across, third = np.array([1.0, 2, 2]), np.array([2.0, -2, 1]), np.array([2.0, 1, -2])
@@ -390,7 +382,7 @@ def fall(draw):
     position = turn @ np.array([draw.number(-1, 1), high, draw.number(-1, 1)])
     velocity = turn @ np.array([draw.number(-2, 2), -down, draw.number(-2, 2)])
     dt = draw.number(0.4, 1.2) * high / down
-    return points @ turn.T, middle + position, velocity, draw.vector(0.8), middle + PLATE @ turn.T, dt, 0.02, 40
+    return points @ turn.T, middle + position, velocity, draw.vector(0.8), middle + PLATE @ turn.T, dt, 0.02, 14
 
 
 def past_point(points, position, velocity, spin, target, dt, tolerance, looks):
@@ -420,7 +412,7 @@ def swing(draw):
     )
     target = np.array([[draw.number(-1, 1), 0, draw.number(-0.05, 0.05)]])
     spin = turn @ np.array([draw.number(-0.05, 0.05), draw.number(-0.05, 0.05), draw.number(-2, 2)])
-    return rod @ turn.T, middle + turn @ position, turn @ velocity, spin, middle + target @ turn.T, 4.0, 0.1, 40
+    return rod @ turn.T, middle + turn @ position, turn @ velocity, spin, middle + target @ turn.T, 4.0, 0.1, 14
 
 
 @asks("advance", 7, "Every look comes before anything can have happened, and the last one finds the contact.")
