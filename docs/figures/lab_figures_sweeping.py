@@ -48,7 +48,7 @@ def relative(figure: Figure) -> None:
 
     On the left, in the world: ball A of radius r_A moves to the right and ball B of radius r_B moves to the left, and a
     wind carries both upwards. On the right, as seen from B: B rests and has grown to the radius r_A + r_B, A is a
-    point, and its way is a straight ray with the difference of both velocities. The wind is gone.
+    point, and its path is a straight ray along the difference of both velocities. The wind is gone.
     """
     world, ride = figure.subplots(1, 2)
     for axes in (world, ride):
@@ -191,7 +191,7 @@ def turn(figure: Figure) -> None:
     axes.annotate("post", _xy(post), (26, 8), textcoords="offset points", va="center", ha="center")
     axes.annotate("start", (length, 0), (14, 0), textcoords="offset points", va="center")
     axes.annotate("end", (0, length), (0, 8), textcoords="offset points", ha="center")
-    axes.annotate("way of the tip", _xy(length * _unit(20)), (10, 4), textcoords="offset points", color=BLUE, size=10)
+    axes.annotate("path of the tip", _xy(length * _unit(20)), (10, 4), textcoords="offset points", color=BLUE, size=10)
     axes.plot([-0.1, 0.45], [1.0, 1.0], color=ORANGE, lw=1)
     axes.annotate("hull of start and end", (-0.15, 1.0), ha="right", va="center", color=ORANGE, size=10)
     axes.plot(0, 0, "o", mfc="white", mec=INK, markersize=7, zorder=6)

@@ -42,11 +42,12 @@ def chosen_engines(engines: Sequence[str] | str | None) -> Sequence[str]:
 
 @dataclass(frozen=True)
 class CaseRuns:
-    """The runs of one case. results: the student's first, then the engines'."""
+    """The runs of one case. results: the student's first, then the engines'. own: functions that the student wrote."""
 
     family: Family
     case: Case
     results: tuple[JobResult, ...]
+    own: Collection[str] = ()
 
     @property
     def title(self) -> str:
@@ -132,7 +133,7 @@ def run_case(request: Request, code: StudentCode, progress: Progress = lambda do
             found[result.job] = result
             progress(len(found), len(jobs), result.title)
     (case,) = jobs[0].chosen(family)
-    runs = CaseRuns(family, case, tuple(_titled(found[job], code.functions) for job in jobs))
+    runs = CaseRuns(family, case, tuple(_titled(found[job], code.functions) for job in jobs), code.functions)
     return runs.with_notes(code.located)
 
 

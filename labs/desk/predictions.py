@@ -80,7 +80,7 @@ def _said(number: float, unit: str) -> str:
 
 def _sentence(text: str) -> str:
     """A text that begins with a capital letter, unless with a formula, and ends with a full stop."""
-    first = text[:1].upper() + text[1:] if re.match(r"[a-z]{2}", text) else text
+    first = text[:1].upper() + text[1:] if re.match(r"[a-z]{2}|a [a-z]{2}", text) else text
     return f"{first.rstrip('.')}." if first else ""
 
 

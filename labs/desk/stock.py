@@ -131,5 +131,10 @@ def from_above(ways: Mapping[str, Array]) -> Picture:
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format="png")
-    ends = "; ".join(f"{name} ends at ({way[-1][0]:.3f}, {way[-1][1]:.3f}) m" for name, way in ways.items())
+    ends = "; ".join(f"{name} ends at ({_metres(way[-1][0])}, {_metres(way[-1][1])}) m" for name, way in ways.items())
     return Picture(content.getvalue(), f"[from above: {ends}]")
+
+
+def _metres(coordinate: float) -> str:
+    """A coordinate to the millimetre, with a zero that has no sign."""
+    return f"{round(float(coordinate), 3) + 0.0:.3f}"

@@ -229,7 +229,8 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
 
 def _what_a_check_says(runs: CaseRuns) -> str:
     """What a check adds to a wrong run. Of a function with several versions it tests the last one alone."""
-    drafted = [name for name in runs.results[0].functions if lecture.function(name).begun]
+    own = [name for name in runs.results[0].functions if name in runs.own]
+    drafted = [name for name in own if lecture.function(name).begun]
     alone = f" It checks the last version of {listed(drafted)}." if drafted else ""
     return f"lab.check() says more about your functions.{alone}"
 

@@ -1,4 +1,4 @@
-"""Draws which pellets pass a wall, over the thickness of the wall and the way of a step: yours and the engines'."""
+"""Draws which pellets pass a wall, over the thickness of the wall and the distance per step: yours and the engines'."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def tunnelling_map(yours: Mapping[str, ArrayLike], thicknesses: ArrayLike, ways:
         panels[0].plot(
             1e3 * thick, 1e3 * (thick / 2 + RADIUS), "--", color=figures.COLOURS["pybullet"], label="w/2 + r"
         )
-        panels[0].set(ylabel="way of a step D, mm", xlim=(1e3 * walls.min(), 1e3 * walls.max()))
+        panels[0].set(ylabel="distance per step D, mm", xlim=(1e3 * walls.min(), 1e3 * walls.max()))
         panels[0].set(ylim=(1e3 * steps.min(), 1e3 * steps.max()))
         panels[1].set(xlim=panels[0].get_xlim())
         shown = dict(zip(*panels[0].get_legend_handles_labels()[::-1], strict=True))
@@ -82,7 +82,7 @@ def tunnelling_map(yours: Mapping[str, ArrayLike], thicknesses: ArrayLike, ways:
 
 
 def recorded_shares(engine: str, profile: str) -> list[tuple[float, float, float]]:
-    """Thickness of the wall, m, way of a step, m, and the share of recorded pellets that pass, for a whole grid.
+    """Thickness of the wall, m, distance per step, m, and the share of recorded pellets that pass, for a whole grid.
 
     Raises
     ------

@@ -130,7 +130,7 @@ _FUNCTIONS = (
     Function("polyhedra_intersect", "polyhedra", 7, 9, "written"),
     Function("ray_sphere", "sweeping", 1, 10, "written"),
     Function("relative_motion", "sweeping", 2, 10, "read"),
-    Function("sweep_sphere_sphere", "sweeping", 2, 10, "written"),
+    Function("sweep_sphere_sphere", "sweeping", 2, 10, "written", begun=1),
     Function("sweep_sphere_plane", "sweeping", 2, 10, "read"),
     Function("missed_share", "sweeping", 3, 10, "written"),
     Function("ray_box", "sweeping", 4, 10, "written"),

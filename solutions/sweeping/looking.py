@@ -38,8 +38,8 @@ def missed_share(
     Returns
     -------
     (...), 0 to 1
-        0 where speed or dt is 0, also for two points. Otherwise 1 for two
-        points.
+        0 where speed or dt is 0, also for two points. 1 for two points
+        otherwise.
 
     Raises
     ------
@@ -108,8 +108,8 @@ def advance(
         the tolerance apart. It is 0 if they touch or overlap now, and infinity
         where they stay apart over the step. It is NaN where all looks are used
         up before it is decided whether the hulls touch. The last look may
-        still decide that they stay apart, by the time to which the clock then
-        advances.
+        still decide that they stay apart, by the time to which the clock
+        then advances.
     used : how often the separation was measured, from 1 to looks
         The first look is at the start of the step. After each one the clock
         advances as far as the separation and the `motion_bound` of all of A

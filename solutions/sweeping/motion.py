@@ -132,9 +132,9 @@ def motion_bound(
     Returns
     -------
     (...), m/s
-        The smallest number that no point within the reach exceeds at any time,
-        as long as v and ω are constant. It is negative for a body all of whose
-        points move backwards.
+        The smallest number that no point within the reach exceeds at any
+        time, as long as v and ω are constant. It is negative for a body all
+        of whose points move backwards.
 
     Raises
     ------

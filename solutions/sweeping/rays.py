@@ -105,8 +105,8 @@ def ray_capsule(
     -------
     (...), t
         It is 0 from within and from the surface, and infinity for a miss. A
-        ray along the segment meets an end. A ray that grazes the capsule meets
-        it; within rounding of that, rounding decides.
+        ray along the segment meets an end. A ray that grazes the capsule
+        meets it; within rounding of that, rounding decides.
 
     Raises
     ------

@@ -181,6 +181,10 @@ class _Evidence:
             return self._without_name(), ()
         return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
 
+    def _unnamed(self) -> Unnamed | None:
+        knowledge = self.knowledge
+        return unnamed(knowledge.function, self.answered, self.deviations, knowledge.parameters)
+
     def _with_an_exception(self) -> list[Known]:
         """The known mistakes that give all that is wrong in single contacts, but also get wrong a few that are right.
 
@@ -201,10 +205,6 @@ class _Evidence:
             return None
         spared = [at for at in single if self.deviations[at].right and not entry.deviations[at].right]
         return spared if len(spared) * SHOWN_FOR_EACH_SPARED <= len(wrong) else None
-
-    def _unnamed(self) -> Unnamed | None:
-        knowledge = self.knowledge
-        return unnamed(knowledge.function, self.answered, self.deviations, knowledge.parameters)
 
     def _order(self) -> tuple[int, ...]:
         """The places of what is returned, if all single contacts are right except for their order; else empty."""

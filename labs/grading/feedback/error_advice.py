@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
+from reference import lecture
+
 _NUMBER_OR_MANY = (
     "It is called with one number, or with an array of many: np.where and NumPy's functions take both, a loop does not;"
     " components stand along the last axis, a[..., 0]."
@@ -112,7 +114,9 @@ MAY_BE_INFINITE = (
 )  # fmt: skip
 """Functions that students write and that return infinity on purpose in some cases: no division by zero gave it."""
 MAY_BE_NO_NUMBER = ("segment_triangle", "advance")
-"""Those that return NaN on purpose beside it: such an answer says that nothing was found."""
+"""Those that return NaN on purpose, most of them beside infinity: such an answer says that nothing was found."""
+NO_NUMBER_ALONE = ("advance",)
+"""Those whose NaN stands alone: it says that all looks were used up."""
 _NOT_FINITE = re.compile(
     r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )([^\n]*)\n *physics (?![^\n]*\binf\b)", re.MULTILINE
 )
@@ -126,6 +130,8 @@ def advice(message: str, given: Collection[str] = ()) -> str:
     """What to do about an error; empty if nothing is sure. given: names that a notebook's given cells define."""
     if (unknown := _UNKNOWN_NAME.search(message)) and unknown[1] in given:
         return f"{unknown[1]} comes from a cell of the lab that was not run, or is gone: Run ▸ Run All Above."
+    if unknown and unknown[1] in lecture.FUNCTIONS:
+        return f"{unknown[1]} is a function of a lab: write it, and run its cell before this one."
     for pattern, words in _ADVICE:
         if found := re.search(pattern, message, re.MULTILINE):
             return found.expand(words)
@@ -133,7 +139,8 @@ def advice(message: str, given: Collection[str] = ()) -> str:
         called = _CALLED.search(message)
         if called is None or called[1] not in MAY_BE_INFINITE:
             return _INF + _NAN
-        on_purpose = called[1] in MAY_BE_NO_NUMBER and "inf" in found[2]
+        beside = called[1] in MAY_BE_NO_NUMBER and "inf" in found[2]
+        on_purpose = beside or called[1] in NO_NUMBER_ALONE
         return _NAN if "nan" in found[2] and not on_purpose else ""
     return ""
 

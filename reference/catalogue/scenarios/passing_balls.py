@@ -46,7 +46,7 @@ TURNED = math.radians(1)
 """A relative velocity that has turned by less than this has not been turned back, rad."""
 MOST_LOST = 0.5
 """A method that loses half of the meetings does not agree with theory at all: a coin would be as good."""
-UNTURNED = "no step ends while the balls overlap and still approach: D²/3R² with D = v Δt, and 1 − 2R/3D from D = R on"
+UNTURNED = "no step ends while the balls overlap and still approach"
 TOO_SOFT = "the spring gives way so far that the balls get past each other before it has turned them"
 SHARE, ROUNDING = 1e-3, 1e-9
 """Accepted share of a momentum, 0.1 %, and of one that nothing but rounding changes."""

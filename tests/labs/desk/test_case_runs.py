@@ -242,6 +242,14 @@ def test_a_wrong_run_says_that_first_versions_have_no_check(lab, cells):
     assert "says more about your functions. It checks the last version of collide." in str(lab.shown[-1])
 
 
+def test_a_wrong_run_names_no_first_version_that_the_student_did_not_write(lab, cells):
+    """The marbles call collide, which the lab on swept volumes lends."""
+    lab.topic = "sweeping"
+    cells += ["def sweep_sphere_sphere(*arguments):\n    return np.full(np.shape(arguments[-1]), np.inf)"]
+    lab.run("passing-balls/v=40", quantity="passed", engines=())
+    assert "It checks the last version of sweep_sphere_sphere." in str(lab.shown[-1])
+
+
 def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):
     cells += [
         *right_cells(),

@@ -42,6 +42,15 @@ def test_a_segment_that_is_said_to_meet_nothing_is_blamed_on_no_division():
     assert advice(nothing.replace("=inf", "=0.5")).startswith("nan comes from 0/0")
 
 
+def test_the_nan_of_an_advance_whose_looks_are_used_up_is_blamed_on_no_division():
+    assert advice("advance(1)\ngives   time=nan, used=12\nphysics time=1.5, used=2") == ""
+
+
+def test_a_function_whose_cell_was_not_run_is_named_as_one_of_a_lab():
+    assert advice("NameError: name 'ray_sphere' is not defined").startswith("ray_sphere is a function of a lab")
+    assert advice("NameError: name 'ray_spere' is not defined") == ""
+
+
 @pytest.mark.parametrize(("word", "functions"), [("infinity", MAY_BE_INFINITE), ("NaN", MAY_BE_NO_NUMBER)])
 def test_functions_that_may_return_no_finite_number_are_those_that_promise_it(word, functions):
     promised = set()
