@@ -173,9 +173,10 @@ def test_one_wrong_answer_to_a_mesh_without_faces_accuses_no_other_function():
 
     def intersect(*meshes):
         pairs = (meshes[:2], meshes[2:]), (meshes[2:], meshes[:2])
+        corners = [a[0][np.unique(a[1]) if len(a[1]) else [0]] for a, _ in pairs]
         return any(
-            len(edges_through_faces(*a, *b)[0]) or inside_by_parity(a[0][a[1][0, 0] if len(a[1]) else 0], *b)
-            for a, b in pairs
+            len(edges_through_faces(*a, *b)[0]) or inside_by_parity(places, *b).any()
+            for places, (a, b) in zip(corners, pairs, strict=True)
         )
 
     found = diagnose("polyhedra_intersect", of(intersect))
