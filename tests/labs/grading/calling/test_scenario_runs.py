@@ -73,7 +73,7 @@ def test_a_run_of_too_many_calls_is_stopped():
 
 def test_a_run_is_skipped_if_other_topics_have_no_answers_yet(monkeypatch):
     monkeypatch.setattr(Implementation, "function", lambda self, name: (_ for _ in ()).throw(NeedsFunction("needs it")))
-    with pytest.raises(pytest.skip.Exception, match="needs right answers of other topics"):
+    with pytest.raises(pytest.skip.Exception, match="need right functions of other labs"):
         with_solutions(submission(), "response")
 
 

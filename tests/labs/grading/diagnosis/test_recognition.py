@@ -306,7 +306,7 @@ def test_an_example_without_fingerprints_has_no_parameter_names():
 
 def test_matrices_are_shown_briefly():
     assert called((), (np.diag([2.0, 1.0]), np.ones((2, 2)), np.eye(1), np.full((2, 2), np.inf)), "f") == (
-        "f(diag(2, 1), ((1, 1), (1, 1)), ((1)), ((inf, inf), (inf, inf)))"
+        "f(diag(2, 1), ((1, 1), (1, 1)), ((1,),), ((inf, inf), (inf, inf)))"
     )
 
 
