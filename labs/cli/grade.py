@@ -29,9 +29,9 @@ from labs.gradebook.grading import Graded, Task, versions
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
 from labs.gradebook.roster import read_roster
-from labs.gradebook.workers import Workers, here, on_cluster
 from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
+from labs.workers import Workers, here, on_cluster
 from reference import lecture
 from reference.errors import InvalidInput
 from reference.writable import folder_for, refused_in_words

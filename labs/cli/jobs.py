@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
+from contextlib import closing, contextmanager
 from typing import Annotated, TypeVar
 
 import typer
@@ -14,6 +14,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from labs.cli.console import errors
 from labs.correct_functions import package_of_correct_functions
 from labs.desk.student_code import named_implementation
+from labs.workers import on_cluster, what_runs_here
 from reference import checks
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
@@ -61,6 +62,14 @@ Implementations = Annotated[
 ]
 Workers = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; by default one per processor.")
+]
+Cluster = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS",
+        help="Run on a Dask cluster: tcp://host:8786, or local:4 to start one here.",
+        show_default=False,
+    ),
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything again, and keep the new results in the cache.")]
 
@@ -135,9 +144,11 @@ def _assignment(option: str, text: str, example: str) -> tuple[str, str]:
     return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
 
 
-def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) -> list[JobResult]:
+def run(
+    jobs: Sequence[Job], workers: int | None, cache: Cache | None = None, cluster: str | None = None
+) -> list[JobResult]:
     """Run scenarios, as `run_work` does."""
-    return run_work(not_empty(jobs), SCENARIOS, workers, cache)
+    return run_work(not_empty(jobs), SCENARIOS, workers, cache, cluster=cluster)
 
 
 def not_empty(jobs: Sequence[Job]) -> Sequence[Job]:
@@ -158,29 +169,42 @@ def run_work(
     workers: int | None,
     cache: Cache | None = None,
     had: Sequence[R] | None = None,
+    cluster: str | None = None,
 ) -> list[R]:
     """Take from the cache what it has, run the rest in parallel behind a progress bar, and return the results.
 
     They come in the order of the jobs, whichever run was through first, so that a report has the same bytes each time.
-    had: what the cache has, if somebody has looked already.
+    had: what the cache has, if somebody has looked already. cluster: the address of a Dask cluster, whose workers keep
+    results in caches of their own.
     """
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    workers, results = at_a_time(workers), list(recall(jobs, cache) if cache and had is None else had or ())
-    errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
+    results = list(recall(jobs, cache) if cache and had is None else had or ())
     known = {result.job for result in results}
     missing = work.in_order(job for job in jobs if job not in known)
     with (
+        _executor(at_a_time(workers), cluster if missing else None) as (executor, count),
         Progress(*columns, console=errors, transient=True) as progress,
-        ThreadPoolExecutor(workers) as executor,
         closing(
             run_all(missing, work, executor, TIME_LIMIT, cache)
         ) as finished,  # an interrupt stops the runs, then the executor
     ):
+        errors.print(f"{_counted(len(jobs), len(results))}, {count} at a time.")
         task = progress.add_task("running", total=len(jobs), completed=len(results))
         for result in finished:
             results.append(result)
             progress.update(task, advance=1, description=result.label)
     return sorted(results, key=lambda result: jobs.index(result.job))
+
+
+@contextmanager
+def _executor(workers: int, cluster: str | None) -> Iterator[tuple[Executor, int]]:
+    """Who runs jobs, and how many of them at a time."""
+    if cluster is None:
+        with ThreadPoolExecutor(workers) as executor:
+            yield executor, workers
+    else:
+        with on_cluster(cluster, what_runs_here) as found, found.pool() as executor:
+            yield executor, found.count
 
 
 def _counted(runs: int, cached: int) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -31,10 +32,19 @@ MOST_BYTES = 512 * 2**20
 """Of the cache while recording: a run of thousands must not push its own first results out."""
 
 
+@dataclass(frozen=True)
+class Machines:
+    """Where runs happen. workers: runs at a time here. cluster: the address of a Dask cluster instead."""
+
+    workers: int | None
+    cluster: str | None
+
+
 def record(
     scenario: jobs.Scenarios = None,
     engine: jobs.Engines = None,
     workers: jobs.Workers = None,
+    cluster: jobs.Cluster = None,
     fresh: jobs.Fresh = False,
     only_stale: Annotated[
         bool, typer.Option("--only-stale", help="Only what is missing, or of other scenarios or settings than now.")
@@ -54,9 +64,10 @@ def record(
     folder = out or files.FOLDER
     cache = Cache(fresh=fresh, most_bytes=MOST_BYTES)
     with folder_for("recordings", folder, "--out"):
-        written = [] if published else _scenarios(families, here, only_stale, workers, cache, folder)
+        machines = Machines(workers, cluster)
+        written = [] if published else _scenarios(families, here, only_stale, machines, cache, folder)
         if not scenario:
-            written += _published(here, only_stale, workers, cache, folder)
+            written += _published(here, only_stale, machines, cache, folder)
     if written:
         _print_sizes(written)
         output.print(f"Checksum over all recordings there: {checksums.over_all(folder)}", soft_wrap=True, markup=False)
@@ -84,7 +95,7 @@ def _scenarios(
     families: Iterable[Family],
     engines: Sequence[str],
     only_stale: bool,
-    workers: int | None,
+    machines: Machines,
     cache: Cache,
     folder: Path,
 ) -> list[Path]:
@@ -93,16 +104,17 @@ def _scenarios(
     if only_stale and not (wanted := _stale(wanted, folder)):
         return []
     planned = [job for family, name in wanted for job in recordings.jobs_of(family, name)]
-    results = jobs.run(planned, workers, cache)
+    results = jobs.run(planned, machines.workers, cache, machines.cluster)
     _check(results)
     return recordings.write(_in_order(results, planned), folder)
 
 
-def _published(engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, folder: Path) -> list[Path]:
+def _published(engines: Sequence[str], only_stale: bool, machines: Machines, cache: Cache, folder: Path) -> list[Path]:
     """Record other people's cases; return the files."""
     wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, folder)]
     planned = published_jobs.plan((), wanted) if wanted else []
-    results = jobs.run_work(planned, published_jobs.PUBLISHED, workers, cache) if planned else []
+    work = published_jobs.PUBLISHED
+    results = jobs.run_work(planned, work, machines.workers, cache, cluster=machines.cluster) if planned else []
     return published_recordings.write(_in_order(results, planned), folder)
 
 

@@ -35,6 +35,7 @@ def report(
     engine: jobs.Engines = None,
     implementation: jobs.Implementations = jobs.CORRECT,
     workers: jobs.Workers = None,
+    cluster: jobs.Cluster = None,
     fresh: jobs.Fresh = False,
 ) -> None:
     """Run the whole catalogue and write one page, with JSON, CSV and figures beside it."""
@@ -43,8 +44,8 @@ def report(
     others = [] if only else published_jobs.plan((), engine or engine_names(), implementation)
     cache, at_a_time = Cache(fresh=fresh), jobs.at_a_time(workers)
     with staged(out):  # a place that cannot be written is refused before anything is read or run
-        scenarios = Part(planned, SCENARIOS, cache, at_a_time)
-        published = Part(others, published_jobs.PUBLISHED, cache, at_a_time)
+        scenarios = Part(planned, SCENARIOS, cache, at_a_time, cluster)
+        published = Part(others, published_jobs.PUBLISHED, cache, at_a_time, cluster)
     first = _first_page(scenarios, published, out)
     try:
         with staged(out) as folder:
@@ -65,8 +66,10 @@ def report(
 class Part(Generic[J, R]):
     """The jobs of one catalogue in a report. had: the results that the cache has."""
 
-    def __init__(self, planned: Sequence[J], work: Work[J, R], cache: Cache, at_a_time: int) -> None:
-        self.planned, self.work, self.cache, self.at_a_time = planned, work, cache, at_a_time
+    def __init__(
+        self, planned: Sequence[J], work: Work[J, R], cache: Cache, at_a_time: int, cluster: str | None
+    ) -> None:
+        self.planned, self.work, self.cache, self.at_a_time, self.cluster = planned, work, cache, at_a_time, cluster
         self.had: list[R] = recall(planned, cache)
 
     @property
@@ -80,7 +83,9 @@ class Part(Generic[J, R]):
 
     def run(self) -> list[R]:
         """The results of all jobs, when those that are missing have run."""
-        return jobs.run_work(self.planned, self.work, self.at_a_time, self.cache, self.had) if self.planned else []
+        if not self.planned:
+            return []
+        return jobs.run_work(self.planned, self.work, self.at_a_time, self.cache, self.had, self.cluster)
 
 
 def _first_page(scenarios: Part[Job, JobResult], published: Part[PublishedJob, PublishedResult], out: Path) -> str:

@@ -27,9 +27,9 @@ from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
 from labs.gradebook.locks import locked
-from labs.gradebook.workers import Workers, lost
 from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import as_json, read_grade, write_private
+from labs.workers import Workers, lost
 from reference.errors import InvalidInput
 
 STUDENTS, WITHDRAWN, PYTHON = "students", "withdrawn", "python"

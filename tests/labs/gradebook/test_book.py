@@ -14,9 +14,9 @@ import pytest
 from labs.gradebook import book as book_module
 from labs.gradebook.book import Book, Failures, run
 from labs.gradebook.grading import Graded, Task, identity
-from labs.gradebook.workers import Workers
 from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import SCHEMA, VERSION, read_grade
+from labs.workers import Workers
 from reference.errors import InvalidInput
 
 TASK = Task("4711", "Ada", "impulse", "ada", "impulse.ipynb", b"x = 1", "week 3", 60.0)

@@ -1,23 +1,30 @@
-"""Where submissions are graded: in processes of this machine, or on a cluster that Dask runs.
+"""Where submissions are graded and scenarios run: in processes of this machine, or on a cluster that Dask runs.
 
 There is no scheduler of ours. `tcp://host:8786` is the address of Dask's scheduler, whose workers have the whole
-project installed, with the same versions; `local:4` starts four of Dask's workers here. Dask gives a submission to
-another worker if one is lost.
+project installed, with the same versions; `local:4` starts four of Dask's workers here. Dask gives a task to another
+worker if one is lost.
 """
 
 from __future__ import annotations
 
 import importlib
+import logging
 import multiprocessing
+import platform
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from reference.errors import InvalidInput
+import numpy as np
+
+from labs.correct_functions import package_of_correct_functions
+from reference.engines import engine_names, load_engine
+from reference.errors import EngineNotInstalled, InvalidInput
+from reference.running import sources
 
 _LOCAL = re.compile(r"^local:([1-9]\d{0,3})$")
 _ADDRESS = re.compile(r"^(tcp|tls|ucx|ws|wss)://\S+$")
@@ -27,7 +34,7 @@ _PATIENCE = 15
 
 @dataclass(frozen=True)
 class Workers:
-    """Who grades. count: submissions at a time. pool: makes the workers, again if they are lost."""
+    """Who works. count: tasks at a time. pool: makes the workers, again if they are lost."""
 
     count: int
     pool: Callable[[], Executor]
@@ -43,14 +50,31 @@ def _as_context(workers: Workers) -> Iterator[Workers]:
     yield workers
 
 
+def what_runs_here() -> dict[str, str]:
+    """All that the numbers of a scenario depend on, in words: a digest of the lab's code, and versions."""
+    code = [sources.digest(name) for name in ("reference", package_of_correct_functions() or "reference")]
+    found = {"the lab": " ".join(code), "Python": platform.python_version(), "NumPy": np.__version__}
+    for name in engine_names():
+        engine = load_engine(name)
+        if engine.package is not None:
+            try:
+                found[engine.title] = engine.version()
+            except EngineNotInstalled:
+                found[engine.title] = "not installed"
+    return found
+
+
 @contextmanager
-def on_cluster(address: str) -> Iterator[Workers]:
+def on_cluster(address: str, alike: Callable[[], Mapping[str, str]] | None = None) -> Iterator[Workers]:
     """The workers of a Dask cluster.
+
+    alike: what has to be the same on every worker as here, if anything has to.
 
     Raises
     ------
     InvalidInput
-        If it is no address, nobody answers there, the cluster has no workers, or Dask is missing.
+        If it is no address, nobody answers there, the cluster has no workers, they are not like this machine, or Dask
+        is missing.
     """
     local = _LOCAL.match(address)
     if not local and not _ADDRESS.match(address):
@@ -59,6 +83,7 @@ def on_cluster(address: str) -> Iterator[Workers]:
         distributed: Any = importlib.import_module("distributed")  # only a cluster needs it
     except ImportError:
         raise InvalidInput('a cluster needs Dask: pip install -e ".[cluster]"') from None
+    logging.getLogger("distributed").setLevel(logging.WARNING)  # it tells of every connection
     try:
         if local:
             found = distributed.LocalCluster(
@@ -73,11 +98,22 @@ def on_cluster(address: str) -> Iterator[Workers]:
         threads = sum(client.nthreads().values())
         if not threads:
             raise InvalidInput(f"the cluster at {address} has no workers: start some with dask worker {address}")
+        if alike is not None:
+            refuse_others(alike(), client.run(alike, on_error="ignore"))  # one that has just died answers nothing
         yield Workers(threads, lambda: client.get_executor(pure=False))
     finally:
         client.close()
         if found is not None:
             found.close()
+
+
+def refuse_others(here: Mapping[str, str], there: Mapping[str, Mapping[str, str]]) -> None:
+    """Refuse a cluster on which the same task would give other numbers. there: by address of each worker."""
+    for address, found in there.items():
+        for name, wanted in here.items():
+            if (other := found.get(name, "unknown")) != wanted:
+                words = "other code of the lab" if name == "the lab" else f"{name} {other}, and this machine {wanted}"
+                raise InvalidInput(f"the worker at {address} has {words}: install the same there")
 
 
 def lost() -> tuple[type[BaseException], ...]:

@@ -1,4 +1,4 @@
-"""Grading on a cluster: a real Dask scheduler and workers, as processes of their own."""
+"""Work on a cluster: a real Dask scheduler and workers, as processes of their own."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import time
 import pytest
 from program import collisions
 
-from labs.gradebook.workers import on_cluster
+from labs.workers import on_cluster, refuse_others, what_runs_here
 from reference.errors import InvalidInput
 
 RIGHT = """\
@@ -35,6 +35,25 @@ def test_what_is_no_address_is_refused(address):
         on_cluster(address),
     ):
         pass
+
+
+@pytest.mark.parametrize(
+    ("there", "said"),
+    [
+        ({"the lab": "2", "NumPy": "2.3"}, "has other code of the lab"),
+        ({"the lab": "1", "NumPy": "2.2"}, "has NumPy 2.2, and this machine 2.3"),
+        ({"the lab": "1"}, "has NumPy unknown, and this machine 2.3"),
+    ],
+)
+def test_a_worker_that_would_get_other_numbers_is_refused(there, said):
+    here = {"the lab": "1", "NumPy": "2.3"}
+    refuse_others(here, {"tcp://a": here})
+    with pytest.raises(InvalidInput, match=said):
+        refuse_others(here, {"tcp://a": here, "tcp://b": there})
+
+
+def test_what_numbers_depend_on_names_code_and_every_engine():
+    assert list(what_runs_here()) == ["the lab", "Python", "NumPy", "PyBullet", "MuJoCo", "DART"]
 
 
 def grades(folder) -> dict[str, bytes]:
@@ -108,3 +127,13 @@ def test_a_cluster_that_loses_a_worker_gives_the_grades_that_one_machine_gives(t
     assert grades(tmp_path / "far") == grades(tmp_path / "near")
     assert before.items() <= grades(tmp_path / "far").items()
     assert len(grades(tmp_path / "near")) == 40
+
+
+@pytest.mark.slow
+def test_a_report_from_a_cluster_has_the_rows_of_a_report_made_here(tmp_path, cluster):
+    asked = ("report", "--only", "dropped-ball", "--engine", "handwritten", "--fresh", "--out")
+    here, there = tmp_path / "here", tmp_path / "there"
+    assert collisions(*asked, str(here)).code == 0
+    found = collisions(*asked, str(there), "--cluster", cluster[0])
+    assert found.code == 0, found.error
+    assert (here / "rows.json").read_bytes() == (there / "rows.json").read_bytes()
