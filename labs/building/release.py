@@ -1,8 +1,8 @@
 """Writes the tree that a student gets: no solutions, hidden tests, known mistakes or pages for the instructor.
 
 Functions of closed labs, and those of other labs that the runs of the open labs need, are released as `labs/given`. If
-such a function is still to be written in an open lab, its text is packed. Of a lab that is not open nothing else is in
-the tree: no visible test, no hint, no figure.
+students write such a function in an open lab or in a later one, its text is packed: perhaps they write it next week. Of
+a lab that is not open nothing else is in the tree: no visible test, no hint, no figure.
 """
 
 from __future__ import annotations
@@ -97,15 +97,16 @@ def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> 
 def given(open_labs: Collection[str], closed: Collection[str] = ()) -> dict[str, str]:
     """The modules of `labs/given`: all of closed labs, what open labs give, and what they borrow from other labs.
 
-    What contains an answer of an open lab is packed.
+    What contains an answer of an open lab, or of one that comes later, is packed.
     """
     wanted = {name: [entry.name for entry in lecture.functions_of(name)] for name in closed}
     shown = [entry.name for topic in open_labs for entry in lecture.functions_of(topic) if entry.role == "given"]
     for name in (*shown, *(lent for topic in open_labs for lent in lessons.read(topic).lent)):
         found = wanted.setdefault(lecture.function(name).topic, [])
         found += [name] * (name not in found)
-    asked = {entry.name for topic in {*open_labs} - {*closed} for entry in lecture.functions_of(topic)
-             if entry.role == "written"}  # fmt: skip
+    last = max(map(_number, open_labs), default=-1)
+    still = {*open_labs, *(topic.name for topic in lecture.TOPICS if _number(topic.name) > last)} - {*closed}
+    asked = {entry.name for topic in still for entry in lecture.functions_of(topic) if entry.role == "written"}
     return {topic: _module(topic, names, asked) for topic, names in sorted(wanted.items()) if names}
 
 
@@ -206,7 +207,7 @@ def _for_students(project: str) -> str:
 
 
 def _module(topic: str, names: Collection[str], asked: Collection[str]) -> str:
-    """A module with these functions; those that contain a function which an open lab asks for are packed."""
+    """A module with these functions; those that contain a function which students still write are packed."""
     every, title = TopicExcerpts.of(topic), lecture.topic(topic).title
     packed = [name for name in names if any(found.defines & set(asked) for found in every.needed([name]))]
     plain = [name for name in names if name not in packed]

@@ -28,30 +28,39 @@ def lesson(tmp_path, monkeypatch):
     (tmp_path / "detection.md").write_text(HEAD + WRITES, encoding="utf-8")
 
 
+def run(text, monkeypatch):
+    """The module of a text."""
+    found = ModuleType("given")
+    monkeypatch.setitem(sys.modules, "given", found)  # where a dataclass looks for itself
+    exec(text, found.__dict__)
+    return found
+
+
 @pytest.mark.usefixtures("lesson")
-def test_a_release_has_answers_of_closed_labs_and_what_an_open_lab_lends():
+def test_a_release_has_answers_of_closed_labs_and_what_an_open_lab_lends(monkeypatch):
     modules = given(["detection"])
     assert set(modules) == {"response"}
-    assert "def kinematic_response" in modules["response"]
-    assert "def penalty_force" not in modules["response"]
+    found = run(modules["response"], monkeypatch)
+    assert found.kinematic_response([0.0, 0.0, -2.0], [0.0, 0.0, 1.0], 0.5).tolist() == [0.0, 0.0, 1.0]
+    assert not hasattr(found, "penalty_force")
+    assert "def kinematic_response" in given([], ["response"])["response"]
 
 
-def test_what_a_lab_is_given_holds_no_answer_of_the_lab_itself():
+def test_what_a_lab_is_given_holds_no_answer_of_that_lab_or_of_a_later_one():
     through = []
     for topic in lessons.lessons():
+        closed = [*through]
         through.append(topic)
-        text = "\n".join(given(through).values())
-        asked = [entry.name for lab in through for entry in lecture.functions_of(lab) if entry.role == "written"]
-        assert [name for name in asked if f"def {name}(" in text] == []
+        text = "\n".join(given(through, closed).values())
+        asked = [entry.name for entry in lecture.FUNCTIONS.values() if entry.role == "written"]
+        still = [name for name in asked if lecture.function(name).topic not in closed]
+        assert [name for name in still if f"def {name}(" in text] == []
 
 
 def test_two_open_labs_can_borrow_what_the_other_asks_for(monkeypatch):
     modules = given(["detection", "impulse"])
     assert "def signed_distance" not in modules["detection"]
-    found = ModuleType("given")
-    monkeypatch.setitem(sys.modules, "given", found)  # where a dataclass looks for itself
-    found.__dict__["__name__"] = "given"
-    exec(modules["detection"], found.__dict__)
+    found = run(modules["detection"], monkeypatch)
     assert found.signed_distance(np.array([0.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0]), -0.5) == 1.5
     closed = given(["impulse"], ["detection"])
     assert "def signed_distance" in closed["detection"]
