@@ -112,7 +112,8 @@ the next week, name the next lab in `--through`; the release then also has the a
 ## Ten weeks
 
 Take one lab a week, in the order of the table, which is that of the lecture. As long as some labs are only planned,
-this fills fewer weeks. The last one, `world`, will put the others together and will need two sessions. `collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
+this fills fewer weeks. The last one, `world`, will put the others together and will need two sessions.
+`collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
 
 ## Handing out and marking
 

@@ -207,7 +207,15 @@ def _read(module: str) -> Iterator[Excerpt]:
         while first > 1 and lines[first - 2].startswith("#"):
             first -= 1
         text = "\n".join(lines[first - 1 : last])
-        yield Excerpt(text, several[0].defines, several[0].uses | _annotations(several[0].statements), module)
+        defines = several[0].defines - _loop_variables(several[0].statements)
+        yield Excerpt(text, defines, several[0].uses | _annotations(several[0].statements), module)
+
+
+def _loop_variables(statements: Iterable[ast.stmt]) -> frozenset[str]:
+    """The variables of comprehensions, which no other line sees."""
+    nodes = (node for statement in statements for node in ast.walk(statement))
+    targets = (node.target for node in nodes if isinstance(node, ast.comprehension))
+    return frozenset(each.id for target in targets for each in ast.walk(target) if isinstance(each, ast.Name))
 
 
 def _annotations(statements: Iterable[ast.stmt]) -> frozenset[str]:

@@ -22,7 +22,8 @@ BOTH = "def rebound_velocity(v, e):\n    return -e * v\n\n\ndef normal_velocity(
 
 def solved(folder: Path, topic: str) -> Path:
     """The solutions of a topic as one file, which imports nothing of ours."""
-    found = TopicExcerpts.of(topic).needed([entry.name for entry in lecture.functions_of(topic)])
+    names = [entry.name for entry in lecture.functions_of(topic) if entry.role != "read"]
+    found = TopicExcerpts.of(topic).needed(names)
     path = folder / "solved.py"
     path.write_text(f"from __future__ import annotations\n{imports_of(found)}\n{text_of(found)}\n")
     return path
