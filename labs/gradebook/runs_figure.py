@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from reference.arrays import Array
+from reference.engines import engine_names, load_engine
 from reference.report.figures import STYLE, as_svg, colour_of, marker_of
 
 _BINS = 31
 """An odd number, so that theory is in the middle of one."""
 _WIDTH, _HEIGHT = 7.5, 2.6  # inches
 _INK = "#444444"
-_NAMES = {"PyBullet": "pybullet", "MuJoCo": "mujoco", "DART": "dart"}
 
 
 def edges(values: Sequence[float], marks: Mapping[str, float]) -> Array:
@@ -35,6 +35,7 @@ def figure(values: Sequence[float], marks: Mapping[str, float], label: str, name
     import matplotlib
     from matplotlib.figure import Figure
 
+    names = {load_engine(each).title: each for each in engine_names()}
     bins = edges(values, marks)
     counts, _ = np.histogram(np.clip(values, bins[0], bins[-1]), bins)
     with matplotlib.rc_context(STYLE | {"svg.hashsalt": name, "font.size": 9}):
@@ -45,7 +46,7 @@ def figure(values: Sequence[float], marks: Mapping[str, float], label: str, name
         above.set(yticks=[], ylabel="students", ylim=(0, 1.4 * max(counts)))
         above.spines["left"].set_visible(False)
         for lane, (who, value) in enumerate(marks.items()):
-            engine = _NAMES.get(who, "")
+            engine = names.get(who, "")
             look = (
                 {"marker": marker_of(engine), "color": colour_of(engine)} if engine else {"marker": "|", "color": _INK}
             )

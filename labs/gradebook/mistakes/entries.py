@@ -59,7 +59,7 @@ class Entry:
 
 
 def _quoted(text: str) -> str:
-    """A string as TOML writes it: as JSON does, but for the one control character that JSON leaves as it is."""
+    """A string as TOML writes it: as JSON does, except for the one control character that JSON leaves as it is."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 

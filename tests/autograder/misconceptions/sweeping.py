@@ -55,7 +55,7 @@ def first_ahead(a, b, c):
 
 
 def double_b(a, b, c):
-    """The formula with b² − 4 a c and 2 a, but for b = x·u."""
+    """The formula with b² − 4 a c and 2 a, although b = x·u here."""
     return (-b - np.sqrt(b * b - 4 * a * c)) / (2 * a)
 
 
