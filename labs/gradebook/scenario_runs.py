@@ -73,7 +73,7 @@ RUNS: Mapping[str, tuple[Asked, ...]] = {
     ),
     "polyhedra": (Asked("convex-solid/turned", ("face", "segment")),),
 }
-"""What the submissions of a lab run. Only first scenarios run, so a case whose number is a share of many is left out."""
+"""What the submissions of a lab run: first scenarios alone, so a case whose number is a share of many is left out."""
 
 
 def run(path: Path, lab: str, grader: Grader) -> list[dict[str, Any]]:
