@@ -90,7 +90,7 @@ CORNER = Family(
     quantities=(
         Quantity(
             "kept_by_floor",
-            "share kept of the speed towards the floor",
+            "share kept, speed towards floor",
             "",
             lambda trajectory: float(trajectory.velocity("ball")[-1, 2] / SPEED),
             _expect_kept,
@@ -98,7 +98,7 @@ CORNER = Family(
         ),
         Quantity(
             "kept_by_wall",
-            "share kept of the speed towards the wall",
+            "share kept, speed towards wall",
             "",
             lambda trajectory: float(trajectory.velocity("ball")[-1, 0] / SPEED),
             _expect_kept,
