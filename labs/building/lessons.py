@@ -116,7 +116,7 @@ def read(topic: str) -> Lesson:
 
 @cache
 def _parsed(name: str, text: str) -> Lesson:
-    """The lesson with that text. Parsing takes longer than running a test, and each submission of a class asks for it."""
+    """The lesson with that text. Parsing takes longer than a test does, and each submission of a class asks for it."""
     try:
         import jupytext  # noqa: PLC0415 - only building notebooks needs it
     except ImportError:
