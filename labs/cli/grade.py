@@ -28,7 +28,8 @@ from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.grading import Graded, Task, versions
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
-from labs.gradebook.roster import read_roster
+from labs.gradebook.roster import Roster, read_roster
+from labs.gradebook.upload import target
 from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
 from labs.workers import Workers, here, on_cluster
@@ -49,6 +50,12 @@ def grade(
         Path | None,
         typer.Option(metavar="CSV", help="Who is in the course: Canvas' or Moodle's file, or one of your own."),
     ] = None,
+    column: Annotated[
+        str,
+        typer.Option(
+            metavar="TITLE", help="The column of Canvas' gradebook, such as 'Lab 5 (88121)' or 88121; none for no file."
+        ),
+    ] = "",
     rules: Annotated[
         Path | None, typer.Option(metavar="TOML", help="Deadlines, and what a late submission loses.")
     ] = None,
@@ -76,7 +83,9 @@ def grade(
     For example:  collisions grade submissions --lab impulse --roster canvas.csv --out grades
     """
     topic = lecture.topic(lab).name
-    found = read_class(folder, topic, read_roster(roster) if roster else None)
+    listed = read_roster(roster) if roster else Roster(())
+    to = target(listed, topic, column)
+    found = read_class(folder, topic, listed if roster else None)
     deadlines = read_deadlines(rules) if rules else Deadlines()
     failures, book = Failures(), Book(out)
     read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
@@ -93,7 +102,7 @@ def grade(
         every = marks(found, marker)
         shared = shared_mistakes(every, marker, waiting)
         naming.write_waiting(out, shared, waiting, names)
-        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker, shared)
+        tables, page = write_tables(out, found, every, to), write_pages(book, found, every, marker, shared)
     graded = sum(mark.content is not None for mark in every)
     _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
     for student in gone:
@@ -111,6 +120,8 @@ def grade(
     if said := written.agreement(first, second):
         _say(said)
     _say(f"Marks: {', '.join(str(path) for path in tables)}")
+    if to is not None:
+        _say(one_line(f"To upload: {tables[-1]}, {to.said}."))
     _say(f"The class: {page}; each student's page is in {out / STUDENTS}.")
     raise typer.Exit(FAILED if failures.said else 0)
 

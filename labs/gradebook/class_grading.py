@@ -19,7 +19,8 @@ from labs.gradebook.mistakes.entries import Entry
 from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.runs_compared import compared, spreads
-from labs.gradebook.tables import Mark, for_platform, junit, plain_table
+from labs.gradebook.tables import Mark, junit, plain_table
+from labs.gradebook.upload import Target, filled
 from labs.gradebook.written import Codes, Given, Question, given_to
 from labs.grading.judging.grade import write_private
 
@@ -184,16 +185,11 @@ def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker,
     return page
 
 
-def write_tables(folder: Path, found: Class, every: Sequence[Mark]) -> list[Path]:
-    """Write the marks in each form, and say where."""
-    texts = {
-        "grades.csv": plain_table(every),
-        "grades.xml": junit(every),
-        f"{found.roster.kind.lower()}.csv": for_platform(found.roster, every, found.lab),
-    }
-    written = []
+def write_tables(folder: Path, found: Class, every: Sequence[Mark], to: Target | None) -> list[Path]:
+    """Write the marks in each form, and say where: last the file for the platform, if there is a column for them."""
+    texts = {"grades.csv": plain_table(every), "grades.xml": junit(every)}
+    if to is not None:
+        texts[f"{to.platform.lower()}.csv"] = filled(found.roster, every, to)
     for name, text in texts.items():
-        if text is not None:
-            write_private(folder / name, text)
-            written.append(folder / name)
-    return written
+        write_private(folder / name, text)
+    return [folder / name for name in texts]
