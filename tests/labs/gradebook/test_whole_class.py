@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 from submissions import solved, stubs
 
+from labs.gradebook.similarity import function_in
 from labs.project_folders import AUTOGRADER
 from reference import lecture
 
@@ -36,14 +37,26 @@ FULL = 66
 
 
 def wrong_functions() -> Iterator[tuple[str, str]]:
-    """Functions of the lab with a mistake, as people write them: name and source."""
+    """Functions of the lab with a mistake, as people write them: name and number, and the source with its helpers."""
     written = {entry.name for entry in lecture.functions_of("impulse") if entry.role == "written"}
     for path in sorted((AUTOGRADER / "students").rglob("*.py")):
         text = path.read_text(encoding="utf-8")
         for node in ast.parse(text).body:
-            if isinstance(node, ast.FunctionDef) and (name := re.sub(r"_\d+$", "", node.name)) in written:
-                node.name = name
-                yield name, ast.unparse(node)
+            if isinstance(node, ast.FunctionDef) and (name := plain_name(node.name)) in written:
+                yield node.name, re.sub(rf"\b{node.name}\b", name, function_in(text, node.name))
+
+
+def plain_name(numbered: str) -> str:
+    """`collide` of `collide_7`."""
+    return re.sub(r"_\d+$", "", numbered)
+
+
+def with_wrong(solution: str, numbered: str, source: str) -> str:
+    """The whole solved file with one function replaced."""
+    name, lines = plain_name(numbered), solution.splitlines()
+    (right,) = (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef) and node.name == name)
+    lines[right.lineno - 1 : right.end_lineno] = ["import math", "import numpy as np", "", "", source]
+    return "\n".join(lines)
 
 
 def make_class(folder: Path, right: int, unwritten: int, wrong: int, hostile: int) -> dict[str, str]:
@@ -66,8 +79,8 @@ def make_class(folder: Path, right: int, unwritten: int, wrong: int, hostile: in
     mistakes = list(wrong_functions())
     rng.shuffle(mistakes)
     for number in range(wrong):
-        name, source = mistakes[number % len(mistakes)]
-        put(f"wrong {number} {name}", "wrong", f"{solution}\nimport math\nimport numpy as np\n\n\n{source}\n")
+        numbered, source = mistakes[number % len(mistakes)]
+        put(f"wrong {number} {numbered}", "wrong", with_wrong(solution, numbered, source))
     for number, path in enumerate(sorted(HOSTILE.glob("*.py"))[:hostile]):
         put(f"hostile {number} {path.stem}", "hostile", path.read_text().replace("rebound_velocity", "normal_velocity"))
     for number, text in enumerate((b"", b"\x89PNG\r\n", b"def collide(:", b"\xff\xfe\x00", b"{" * 30_000)):
