@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import ast
+import builtins
+import dis
 import json
 import random
 import re
+import runpy
 import signal
 import subprocess
 import sys
 import time
+import types
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -34,6 +39,16 @@ NAMES = (
 )
 FULL = 66
 """Points of the functions of the impulse lab."""
+RECALL = Path(__file__).parents[1] / "grading" / "diagnosis" / "test_recognition_recall.py"
+KNOWN = runpy.run_path(str(RECALL))["FOUND"]
+"""Of each wrong function, the verdict and the names of its mistakes when it is called on its own."""
+CALLERS = defaultdict(set, {
+    "normal_velocity": {"impulse_magnitude", "collide"},
+    "inverse_effective_mass": {"impulse_magnitude", "collide"},
+    "impulse_magnitude": {"collide"},
+    "apply_impulse": {"collide"},
+})  # fmt: skip
+"""The functions of the solved lab that call another one, directly or through others."""
 
 
 def wrong_functions() -> Iterator[tuple[str, str]]:
@@ -122,6 +137,17 @@ def killed_again_and_again(folder: Path, out: str, kills: int) -> int:
     return count
 
 
+def check_wrong(content: dict, numbered: str) -> None:
+    """One function is wrong and its mistake named, if it is known; whatever does not call it has all its points."""
+    name, (verdict, mistakes) = plain_name(numbered), KNOWN[numbered]
+    functions = {each["name"]: each for each in content["functions"]}
+    assert functions[name]["got"] < functions[name]["possible"], numbered
+    if verdict == "named":
+        assert functions[name]["mistakes"] == [f"{name}/{each}" for each in mistakes], numbered
+    for other in functions.keys() - {name} - CALLERS[name]:
+        assert functions[other]["got"] == functions[other]["possible"], (numbered, other)
+
+
 def check_marks(folder: Path, out: str, kinds: dict[str, str]) -> None:
     """Everybody has a grade, and the one that they earned."""
     found = {json.loads(text)["identity"]["student"]: json.loads(text) for text in grades(folder / out).values()}
@@ -131,7 +157,7 @@ def check_marks(folder: Path, out: str, kinds: dict[str, str]) -> None:
         if kind == "right":
             assert got == FULL, student
         elif kind == "wrong":
-            assert 0 < got < FULL, student
+            check_wrong(found[student], student.rpartition(" ")[2])
         else:
             assert got == 0, student
 
@@ -146,6 +172,22 @@ def test_a_class_that_is_killed_again_and_again_gets_what_it_earned(tmp_path):
     done = subprocess.run(command(tmp_path, "killed"), capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert grades(tmp_path / "killed") == grades(tmp_path / "whole")
+
+
+def global_names(code: types.CodeType) -> set[str]:
+    """The names that a function looks up outside itself, those of functions in it included."""
+    own = {each.argval for each in dis.get_instructions(code) if each.opname == "LOAD_GLOBAL"}
+    return own.union(*(global_names(each) for each in code.co_consts if isinstance(each, types.CodeType)))
+
+
+def test_no_wrong_function_of_this_class_lacks_a_helper(tmp_path):
+    solution = solved(tmp_path, "impulse").read_text()
+    for numbered, source in wrong_functions():
+        space: dict = {}
+        exec(with_wrong(solution, numbered, source), space)
+        functions = [each for each in space.values() if getattr(each, "__globals__", None) is space]
+        used = set().union(*(global_names(each.__code__) for each in functions))
+        assert used <= space.keys() | vars(builtins).keys(), numbered
 
 
 def test_the_wrong_functions_of_this_class_are_all_of_the_lab():
