@@ -121,12 +121,13 @@ def grade(
     _say_all([f"The grade of {student} is put away: nothing is handed in any more." for student in gone])
     _say_all([*notes, *names.notes(topic)])
     todo = [*left_to_do(out, found, every, [*failures.said], shared), *[nobody] * bool(nobody)]
+    _say("For a person to do:" if todo else "Nothing is left for a person to do.")
     for number, line in enumerate(todo, 1):
-        _say(one_line(f"{'For you: ' * (number == 1)}{number}. {line}", MOST_LETTERS))
+        _say(f"{number}. {one_line(line, MOST_LETTERS)}")
     if said := written.agreement(first, second):
         _say(said)
     _say(one_line(f"To upload: {tables[-1]}, {to.said}." if to else f"Marks: {out / MARKS}.", MOST_LETTERS))
-    _say(f"If you are curious: {page} shows the class without names, and {out / STUDENTS} has a page for each student.")
+    _say(f"If you are curious: {page} is about the class, and {out / STUDENTS} has a page for each student.")
     raise typer.Exit(FAILED if failures.said else 0)
 
 

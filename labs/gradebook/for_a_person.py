@@ -27,20 +27,20 @@ def left_to_do(
     folder: Path, found: Class, every: Sequence[Mark], failed: Sequence[str], shared: Sequence[Cluster]
 ) -> Iterator[str]:
     """A line for each kind of thing that a person has to look at. failed: students whose grading itself failed."""
-    notes = f"Column notes of {folder / MARKS}"
+    notes = f"The notes in {folder / MARKS}"
     if failed:
-        yield f"{_of(failed, 'could not be graded')}. {notes} says why; run the command again."
+        yield f"{_of(failed, 'could not be graded')}. {notes} say why; run the command again."
     if found.strangers:
         yield f"{_of([*found.strangers], 'not on the roster')}. Their marks are in {MARKS}, but in no file to upload."
     unread = [mark.student.id for mark in every if mark.content and "unreadable" in mark.content]
     if unread := [*unread, *found.unusable]:
-        yield f"{_of(unread, 'with nothing that could be graded')}. {notes} says why; ask for another file."
+        yield f"{_of(unread, 'with nothing that could be graded')}. {notes} say why; ask for another file."
     if several := [student for student, arrival in found.handed.items() if _is_odd(arrival)]:
-        yield f"{_of(several, 'with several files for this lab')}. {notes} says which was graded."
+        yield f"{_of(several, 'with several files for this lab')}. {notes} say which was graded."
     if alone := [mark.student.id for mark in every if is_code_alone(mark.content)]:
         yield (
-            f"{_of(alone, 'who handed in a Python file')}. It holds no written answers and reaches {SHARES[CODE]} of"
-            " 100 points at most; their pages say so. Ask for the notebook if you had set it."
+            f"{_of(alone, 'who handed in a Python file')}. It has no written answers and reaches {SHARES[CODE]} of 100"
+            " points at most, as their pages say. Ask for the notebook if you had set it."
         )
     if late := [mark.student.id for mark in every if mark.late.said == CALLED_LATE]:
         yield f"{_of(late, 'late, but the platform does not say by how much')}. Nothing is taken off."

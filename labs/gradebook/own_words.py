@@ -18,6 +18,9 @@ _KINDS = {name for name, each in vars(builtins).items() if isinstance(each, type
 _RAISED = re.compile(r"^\w+ (?:raised|could not be defined:) (\w+)\b")
 _KIND = re.compile(r"^(\w+)(?::|$)")
 _OUT_OF_TIME = re.compile(r"^\w+ (?:was not called|gave no answer within|gave no answer: .*(?:used up$|its share of ))")
+_OUR_DRIVERS = re.compile(
+    r"^(?:(?:more than )?\d+ impacts (?:in|within) one step|with these answers the run comes to no end)"
+)
 _REST = {
     "gave no answer": "gave no answer", "gave ": "gave something that is no answer", "wrote ": "gave no answer",
     "answered ": "answered the same call in two ways", "writes ": "changes its arguments",
@@ -32,6 +35,8 @@ def in_our_words(note: str) -> str:
         return NOT_TRIED
     if note == NOTHING_FINITE:
         return note
+    if ours := _OUR_DRIVERS.match(note):
+        return ours[0]
     function, _, rest = note.partition(" ")
     if function not in lecture.FUNCTIONS:
         kind = _KIND.match(note)

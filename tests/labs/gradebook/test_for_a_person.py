@@ -32,7 +32,7 @@ def test_three_hundred_odd_submissions_make_a_handful_of_lines():
         "1 could not be graded", "300 with several files for this lab", "300 who handed in a Python file",
         "300 late, but the platform does not say by how much", "The written questions of 300 are to be marked",
     ]  # fmt: skip
-    assert lines[1].startswith("300 with several files for this lab: 0, 1, 2, 3, 4 and 295 others. Column notes of")
+    assert lines[1].startswith("300 with several files for this lab: 0, 1, 2, 3, 4 and 295 others. The notes in")
     assert all(len(line) < 250 for line in lines)
 
 
@@ -49,4 +49,4 @@ def test_who_is_on_no_roster_and_whose_file_cannot_be_read_are_named():
     every = [Mark(Student("eve"), "impulse", 0.0, content=CODE | {"unreadable": "it is empty"})]
     first, second = left_to_do(Path("grades"), found, every, (), ())
     assert first == "1 not on the roster: Canvas 66. Their marks are in grades.csv, but in no file to upload."
-    assert second.startswith("2 with nothing that could be graded: eve, bob. Column notes of")
+    assert second.startswith("2 with nothing that could be graded: eve, bob. The notes in")

@@ -28,6 +28,8 @@ from reference.comparison.verdicts import NOTHING_FINITE
         ("ValueError: could not convert 'Bob'", f"{NO_RESULT}, but to a ValueError"),
         ("Bob: is ill", NO_RESULT),
         ("bob raised ValueError", NO_RESULT),
+        ("100 impacts within one step of 0.02 s: Bob", "100 impacts within one step"),
+        ("with these answers the run comes to no end", "with these answers the run comes to no end"),
         ("", NO_RESULT),
         (NOTHING_FINITE, NOTHING_FINITE),
     ],

@@ -96,7 +96,7 @@ def test_who_hands_in_a_python_file_reads_what_it_lacks_and_so_does_the_class():
     assert "can reach 45 of the 100 points: the written answers (35 points), the inputs (15)" in page
     assert "You handed in a Python file" not in student_page(Mark(HOSTILE, "impulse", 9.0, content=WRONG), (), {})
     marks = [Mark(Student(str(at)), "impulse", 9.0, content=each) for at, each in enumerate((file, file, WRONG))]
-    assert "2 of them handed in a Python file instead of the notebook" in class_page("impulse", marks, {})
+    assert "2 of the 3 students handed in a Python file instead of the notebook" in class_page("impulse", marks, {})
 
 
 def test_what_waits_for_another_function_is_not_called_a_mistake():

@@ -42,6 +42,8 @@ FULL = 66
 RECALL = Path(__file__).parents[1] / "grading" / "diagnosis" / "test_recognition_recall.py"
 KNOWN = runpy.run_path(str(RECALL))["FOUND"]
 """Of each wrong function, the verdict and the names of its mistakes when it is called on its own."""
+FROM_OTHERS = {"impulse_magnitude_4", "collide_14"}
+"""Alone, these may have a mistake of a function that they call. In a whole file they are seen to call none."""
 CALLERS = defaultdict(set, {
     "normal_velocity": {"impulse_magnitude", "collide"},
     "inverse_effective_mass": {"impulse_magnitude", "collide"},
@@ -142,7 +144,7 @@ def check_wrong(content: dict, numbered: str) -> None:
     name, (verdict, mistakes) = plain_name(numbered), KNOWN[numbered]
     functions = {each["name"]: each for each in content["functions"]}
     assert functions[name]["got"] < functions[name]["possible"], numbered
-    if verdict == "named":
+    if verdict == "named" and numbered not in FROM_OTHERS:
         assert functions[name]["mistakes"] == [f"{name}/{each}" for each in mistakes], numbered
     for other in functions.keys() - {name} - CALLERS[name]:
         assert functions[other]["got"] == functions[other]["possible"], (numbered, other)

@@ -71,7 +71,7 @@ def test_a_question_that_nobody_answered_asks_for_no_points(tmp_path):
     assert "1 of 3 students answered. Write the points beside each code" in answered
     assert "None of 3 students answered, so there is nothing to mark here." in empty
     assert "Write the points" not in empty
-    assert "2 of them handed in a Python file, which holds no written answers." in empty
+    assert "2 of the 3 handed in a Python file, which holds no written answers." in empty
 
 
 def test_what_a_marker_filled_in_comes_back_and_is_never_overwritten(folder):
