@@ -64,7 +64,8 @@ def grade(
         ),
     ] = "",
     rules: Annotated[
-        Path | None, typer.Option(metavar="TOML", help="Deadlines, and what a late submission loses.")
+        Path | None,
+        typer.Option(metavar="TOML", help="Deadlines, what a late submission loses, and whom to ask about a mark."),
     ] = None,
     bank: Annotated[
         Path, typer.Option(metavar="DIR", help="The course's own bank: mistakes that you have named.")

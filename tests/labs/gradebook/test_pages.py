@@ -75,6 +75,7 @@ def test_the_page_of_the_class_has_no_names_and_counts_each_mistake_once_a_stude
     marks.append(Mark(HOSTILE, "impulse", None))
     page = class_page("impulse", marks, {"ABCDE": 2.25})
     assert "3 of 4 students" in page
+    assert "th { overflow-wrap: normal; }" in page  # a heading over a narrow column is not broken within a word
     assert "The median is 30 of 100 points." in page
     assert "Ada" not in page
     assert "<script>" not in page
