@@ -58,7 +58,9 @@ def grade(
     release: Annotated[
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
-    seconds: Annotated[float, typer.Option(metavar="S", help="How long each submission may take.")] = SECONDS,
+    seconds: Annotated[
+        float, typer.Option(metavar="S", help="How long each submission may compute and sleep.")
+    ] = SECONDS,
     runs: Annotated[
         bool,
         typer.Option(help="Also run everybody's functions in the scenarios of the lab, beside the recorded engines."),
@@ -96,6 +98,12 @@ def grade(
         tables, page = write_tables(out, found, every), write_pages(book, found, every, marker, shared)
     graded = sum(mark.content is not None for mark in every)
     _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
+    if busy := len(failures.busy):
+        them = "One submission was" if busy == 1 else f"{busy} submissions were"
+        _say(
+            f"{them} not graded for lack of time, because this machine was too busy with other programs. No points are"
+            " lost: run the same command again when it is idle."
+        )
     for student in gone:
         _say(f"The grade of {one_line(student)} is put away: nothing is handed in any more.")
     for mark in every:

@@ -27,7 +27,7 @@ from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
 from labs.gradebook.locks import locked
-from labs.grading.errors import GraderFailed
+from labs.grading.errors import GraderFailed, MachineBusy
 from labs.grading.judging.grade import as_json, read_grade, write_private
 from labs.workers import Workers, lost
 from reference.errors import InvalidInput
@@ -140,9 +140,19 @@ def _plain(path: Path) -> dict[str, Any]:
 
 @dataclass
 class Failures:
-    """Tasks that could not be graded, for no fault of the submission: the student's number, and why."""
+    """Tasks that could not be graded, for no fault of the submission: the student's number, and why.
+
+    busy: those for which the machine was too busy.
+    """
 
     said: dict[str, str] = field(default_factory=dict)
+    busy: set[str] = field(default_factory=set)
+
+    def add(self, student: str, error: GraderFailed) -> None:
+        """Note why a submission could not be graded."""
+        self.said[student] = str(error)
+        if isinstance(error, MachineBusy):
+            self.busy.add(student)
 
 
 def run(
@@ -172,14 +182,14 @@ def run(
                 except dead:
                     alone.append(task)
                 except GraderFailed as error:
-                    failures.said[task.student] = str(error)
+                    failures.add(task.student, error)
         for task in alone:
             try:
                 keep(workers_now.submit(task).result())
             except dead:
                 failures.said[task.student] = "the process that graded it died twice"
             except GraderFailed as error:
-                failures.said[task.student] = str(error)
+                failures.add(task.student, error)
     finally:
         for future in running:
             future.cancel()

@@ -82,3 +82,11 @@ class NotSteady(StudentError):
 
 class GraderFailed(WorkerCrashed):
     """The grader's own processes do not work on this machine, or offer less protection than was requested."""
+
+
+class MachineBusy(GraderFailed):
+    """Other programs had the processors for so long that the submission could not be graded; this is not its fault."""
+
+    def __init__(self, message: str = "") -> None:  # a message where another process has raised it
+        why = "not graded for lack of time: the machine was too busy with other programs. Grade again when it is idle"
+        super().__init__(message or why)

@@ -68,10 +68,14 @@ class Printed(io.TextIOBase):
 
 
 def serve(requests: int, answers: int, sealing: Sealing) -> None:
-    """Report how far the process is shut in, load the text that comes first, then answer every call."""
+    """Report how far the process is shut in, load the text that comes first, then answer every call.
+
+    The report also has the process's number and the s that it computed so far, for the grader that measures it.
+    """
     text, limit = _receive(requests)
     source = text.tobytes().decode()
-    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), preloading.lacking(source)))
+    lacking = preloading.lacking(source)
+    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), lacking, os.getpid(), time.process_time()))
     printed = Printed(limit)
     sys.stdout = sys.stderr = printed
     module = ModuleType(TITLE)
