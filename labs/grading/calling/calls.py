@@ -189,8 +189,9 @@ class Call:
                 written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
                 self.changed = tuple(sorted(written))
                 return value
-            case [str(kind), str(text), line] if outcome == "raised":
-                raise self._raised(name, kind, text, line if is_line(line) else None)
+            case [str(kind), str(text), line, list(through)] if outcome == "raised":
+                passed = tuple(each for each in through if isinstance(each, str))
+                raise self._raised(name, kind, text, line if is_line(line) else None, passed)
             case [str(why)] if outcome == "refused":
                 allowed = "a number, text, an array or a tuple of these"
                 raise WrongType(f"{name} gave {one_line(why)}; an answer is {allowed}")
@@ -281,14 +282,14 @@ class Call:
             return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
         return FunctionMissing(f"{needs(name)}: it is not in the submission")
 
-    def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
+    def _raised(self, name: str, kind: str, text: str, line: int | None, through: tuple[str, ...]) -> StudentError:
         if kind == "NotImplementedError":
             stub = self._submission.function_at(line) or name
             return FunctionMissing(f"{f'{name} ' * (stub != name)}{needs(stub)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
         if kind == "NameError" and (failure := self._failures.behind(text)):
             message += f". On loading: {self._said(*failure[1:])}"
-        return FunctionRaised(message, one_line(kind), line)
+        return FunctionRaised(message, one_line(kind), line, through)
 
     def _said(self, kind: str, text: str, line: int | None) -> str:
         where = f" ({self._submission.where(line)})" if line else ""

@@ -88,7 +88,7 @@ def test_thousands_of_failed_statements_take_no_time_at_an_error():
     failed = [([f"a{number}"], "E", "m" * 50, 1) for number in range(10_000)]
     same = [(["x"], "E", f"{number}", 1) for number in range(10_000)]
     text = "name 'x' is not defined" + "'a'" * 500_000
-    raised = [("answer", number, "raised", "NameError", text, 1, "") for number in (1, 2)]
+    raised = [("answer", number, "raised", "NameError", text, 1, [], "") for number in (1, 2)]
     call = begun(Said(("loaded", ["f"], failed[:8000]), *raised))
     with within(LONG):
         for _ in range(2):

@@ -44,7 +44,8 @@ PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
         ("answer", PAIR, "value", 0.0, [], 1.0, ""), ("answer", 1, PAIR, 0.0, [], 1.0, ""),
         ("answer", 1, "value", PAIR, [], 1.0, ""), ("answer", 1, "value", 0.0, PAIR, 1.0, ""),
         ("answer", 1, "value", 0.0, [], 1.0, PAIR), ("answer", 2, "value", 0.0, [], 1.0, ""),
-        ("answer", 1, "raised", PAIR, "", 1, ""), ("answer", 1, "raised", "E", PAIR, 1, ""),
+        ("answer", 1, "raised", PAIR, "", 1, [], ""), ("answer", 1, "raised", "E", PAIR, 1, [], ""),
+        ("answer", 1, "raised", "E", "m", 1, PAIR, ""),
         ("answer", 1, "refused", PAIR, ""), ("answer", 1, "missing", PAIR, ""), ("answer", 1, "else", ""),
     ],
     ids=str,
@@ -62,15 +63,16 @@ def test_malformed_parts_of_an_answer_are_ignored():
         SEALED,
         ("loaded", ["f", PAIR, 1], [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)]),
         ("answer", 1, "value", 0.0, [PAIR, 7, -1, 10**30, 0], 5.0, "said"),
-        ("answer", 2, "raised", "E", "m", 10**1000, ""),
-        ("answer", 3, "raised", "E", "m", PAIR, ""),
+        ("answer", 2, "raised", "E", "m", 10**1000, [PAIR, 7, "g"], ""),
+        ("answer", 3, "raised", "E", "m", PAIR, [], ""),
     )
     call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     assert (call("f", 1.0), call.changed, call.printed) == (5.0, (0,), "said")
     for _ in range(2):
-        with pytest.raises(FunctionRaised, match=r"^f raised E: m$"):
+        with pytest.raises(FunctionRaised, match=r"^f raised E: m$") as raised:
             call("f", 1.0)
+        assert set(raised.value.through) <= {"g"}
 
 
 @pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
@@ -315,19 +317,21 @@ def test_a_timeout_names_the_limit_that_was_reached(limits, patience, words, clo
 @pytest.mark.parametrize(
     ("said", "error", "words"),
     [
-        (("raised", "ValueError", "so", 3), FunctionRaised, "f raised ValueError: so (line 3)"),
-        (("raised", "ValueError", "", None), FunctionRaised, "f raised ValueError"),
-        (("raised", "V\x1b" * 200, "s\n\x1bo", None), FunctionRaised,
+        (("raised", "ValueError", "so", 3, []), FunctionRaised, "f raised ValueError: so (line 3)"),
+        (("raised", "ValueError", "", None, []), FunctionRaised, "f raised ValueError"),
+        (("raised", "V\x1b" * 200, "s\n\x1bo", None, []), FunctionRaised,
          "f raised " + "V␛" * 50 + " … (400 characters in all): s ␛o"),
-        (("raised", "ValueError", "so", 0), FunctionRaised, "f raised ValueError: so"),
-        (("raised", "ValueError", "so", CODE_LIMIT), FunctionRaised, f"f raised ValueError: so (line {CODE_LIMIT})"),
-        (("raised", "ValueError", "so", CODE_LIMIT + 1), FunctionRaised, "f raised ValueError: so"),
-        (("raised", "NameError", "name 'rate' is not", 3), FunctionRaised,
+        (("raised", "ValueError", "so", 0, []), FunctionRaised, "f raised ValueError: so"),
+        (("raised", "ValueError", "so", CODE_LIMIT, []), FunctionRaised,
+         f"f raised ValueError: so (line {CODE_LIMIT})"),
+        (("raised", "ValueError", "so", CODE_LIMIT + 1, []), FunctionRaised, "f raised ValueError: so"),
+        (("raised", "NameError", "name 'rate' is not", 3, []), FunctionRaised,
          "f raised NameError: name 'rate' is not (line 3). On loading: KeyError: 'k' (line 2)"),
-        (("raised", "KeyError", "name 'rate' is not", None), FunctionRaised, "f raised KeyError: name 'rate' is not"),
-        (("raised", "NameError", "name 'other' is not", None), FunctionRaised,
+        (("raised", "KeyError", "name 'rate' is not", None, []), FunctionRaised,
+         "f raised KeyError: name 'rate' is not"),
+        (("raised", "NameError", "name 'other' is not", None, []), FunctionRaised,
          "f raised NameError: name 'other' is not"),
-        (("raised", "NotImplementedError", "", 3), FunctionMissing, "needs f: it is not written yet"),
+        (("raised", "NotImplementedError", "", 3, []), FunctionMissing, "needs f: it is not written yet"),
         (("refused", "an object\nof type X"), WrongType,
          "f gave an object of type X; an answer is a number, text, an array or a tuple of these"),
         (("missing",), FunctionMissing, "needs f: it is not in the submission"),
@@ -357,7 +361,7 @@ def test_a_function_whose_definition_failed_says_how_and_where():
 
 
 def test_an_exception_costs_the_call_and_a_forged_answer_the_process():
-    call, process = begun(("answer", 1, "raised", "E", "m", None, ""), value(2, 5.0), ("answer", 3, "value", ""))
+    call, process = begun(("answer", 1, "raised", "E", "m", None, [], ""), value(2, 5.0), ("answer", 3, "value", ""))
     with pytest.raises(FunctionRaised):
         call("f")
     assert (call("f"), process.over) == (5.0, False)
