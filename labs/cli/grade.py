@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +13,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from labs.cli.console import errors, output
 from labs.gradebook import written
-from labs.gradebook.book import STUDENTS, Book, Failures, run
+from labs.gradebook.book import STUDENTS, WORKING, Book, Failures, run
 from labs.gradebook.class_grading import (
     Class,
     Marker,
@@ -25,7 +26,7 @@ from labs.gradebook.class_grading import (
     write_tables,
 )
 from labs.gradebook.deadlines import Deadlines, read_deadlines
-from labs.gradebook.grading import Graded, Task, versions
+from labs.gradebook.grading import Graded, Task, refuse_other_versions, versions
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
 from labs.gradebook.roster import read_roster
@@ -33,7 +34,6 @@ from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
 from labs.workers import Workers, here, on_cluster
 from reference import lecture
-from reference.errors import InvalidInput
 from reference.writable import folder_for, refused_in_words
 
 FAILED = 1
@@ -82,8 +82,8 @@ def grade(
     deadlines = read_deadlines(rules) if rules else Deadlines()
     failures, book = Failures(), Book(out)
     read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
-    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
-    with machines as graders, folder_for("the grades", out, "--out"), book.alone():
+    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1, out / WORKING)
+    with _resumable(book, found), folder_for("the grades", out, "--out"), book.alone(), machines as graders:
         gone = book.withdraw_others(found.handed, topic)
         _grade_all(book, found, tasks(found, release, seconds, runs), graders, failures)
         written.write_questions(out, topic, answers(found, book))
@@ -123,6 +123,20 @@ def grade(
     raise typer.Exit(FAILED if failures.said else 0)
 
 
+@contextmanager
+def _resumable(book: Book, found: Class) -> Iterator[None]:
+    """Say after Ctrl-C what is kept, and how to continue."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        kept = sum(book.grade_of(student) is not None for student in found.handed)
+        _say(
+            f"Stopped. {kept} of {len(found.handed)} submissions have a grade, and all of these are kept. Run the same"
+            " command again: it continues with the others, and then writes marks and pages."
+        )
+        raise
+
+
 def _say(line: str) -> None:
     output.print(line, markup=False, soft_wrap=True)
 
@@ -141,9 +155,8 @@ def _grade_all(book: Book, found: Class, every: Iterator[Task], graders: Workers
                     yield task
 
         def keep(graded: Graded) -> None:
-            if graded.content["identity"]["versions"] != expected:
-                raise InvalidInput("a worker has other versions of the lab or its packages than this machine")
+            refuse_other_versions(expected, graded.content["identity"]["versions"], found.lab)
             book.keep(graded)
             progress.advance(bar)
 
-        run(todo(), graders, keep, failures)
+        run(todo(), graders, keep, failures, lambda: errors.print("Stopping; what is being written is finished …"))

@@ -100,7 +100,7 @@ def test_a_submission_that_a_busy_machine_stopped_loses_nothing_and_is_graded_in
     place.mkdir(parents=True)
     (place / "impulse.py").write_text(NORMAL_VELOCITY, encoding="utf-8")
     arguments = ("grade", str(place.parent), "--lab", "impulse", "--out", str(tmp_path / "grades"), "--no-runs")
-    one_thread = lambda count: contextlib.nullcontext(Workers(count, lambda: ThreadPoolExecutor(1)))  # noqa: E731
+    one_thread = lambda count, _: contextlib.nullcontext(Workers(count, lambda: ThreadPoolExecutor(1)))  # noqa: E731
     monkeypatch.setattr("labs.cli.grade.here", one_thread)
     with monkeypatch.context() as busy:
         busy.setattr("labs.grading.budget.ON_THE_CLOCK", 1e-9)
