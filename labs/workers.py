@@ -45,7 +45,10 @@ def _nothing() -> None:
 
 @dataclass(frozen=True)
 class Workers:
-    """Who works. count: tasks at a time. pool: makes the workers, again if they are lost. stop: ends them at once."""
+    """Who works. count: tasks at a time. pool: makes the workers, again if they are lost.
+
+    stop: ends them at once, where they are ours to end.
+    """
 
     count: int
     pool: Callable[[], Executor]
@@ -172,7 +175,8 @@ def on_cluster(address: str, alike: Callable[[], Mapping[str, str]] | None = Non
             raise InvalidInput(f"the cluster at {address} has no workers: start some with dask worker {address}")
         if alike is not None:
             refuse_others(alike(), client.run(alike, on_error="ignore"))  # one that has just died answers nothing
-        yield Workers(threads, lambda: client.get_executor(pure=False))
+        quiet = partial(logging.getLogger("distributed").setLevel, logging.ERROR)  # it warns of each task that is lost
+        yield Workers(threads, lambda: client.get_executor(pure=False), quiet)
     finally:
         client.close()
         if found is not None:
