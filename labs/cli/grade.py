@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -13,7 +13,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from labs.cli.console import errors, output
 from labs.gradebook import written
-from labs.gradebook.book import STUDENTS, Book, Failures, run
+from labs.gradebook.book import STUDENTS, WORKING, Book, Failures, run
 from labs.gradebook.class_grading import (
     MARKS,
     Class,
@@ -28,7 +28,7 @@ from labs.gradebook.class_grading import (
 )
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.for_a_person import left_to_do
-from labs.gradebook.grading import Graded, Task, versions
+from labs.gradebook.grading import Graded, Task, refuse_other_versions, versions
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
 from labs.gradebook.roster import Roster, read_roster
@@ -73,7 +73,9 @@ def grade(
     release: Annotated[
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
-    seconds: Annotated[float, typer.Option(metavar="S", help="How long each submission may take.")] = SECONDS,
+    seconds: Annotated[
+        float, typer.Option(metavar="S", help="How long each submission may compute and sleep.")
+    ] = SECONDS,
     runs: Annotated[
         bool,
         typer.Option(help="Also run everybody's functions in the scenarios of the lab, beside the recorded engines."),
@@ -100,8 +102,9 @@ def grade(
         raise InvalidInput(nobody)
     failures, book = Failures(), Book(out)
     read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
-    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
-    with machines as graders, folder_for("the grades", out, "--out", private=True), book.alone():
+    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1, out / WORKING)
+    home = folder_for("the grades", out, "--out", private=True)
+    with _resumable(book, found), home, book.alone(), machines as graders:
         gone = book.withdraw_others(found.handed, topic)
         _grade_all(book, found, tasks(found, release, seconds, runs), graders, failures)
         code_alone = sum(map(written.is_code_alone, map(book.grade_of, found.handed)))
@@ -121,7 +124,7 @@ def grade(
     _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
     _say_all([f"The grade of {student} is put away: nothing is handed in any more." for student in gone])
     _say_all([*notes, *names.notes(topic)])
-    todo = [*left_to_do(out, found, every, [*failures.said], shared), *[nobody] * bool(nobody)]
+    todo = [*left_to_do(out, found, every, failures, shared), *[nobody] * bool(nobody)]
     _say("For a person to do:" if todo else "Nothing is left for a person to do.")
     for number, line in enumerate(todo, 1):
         _say(f"{number}. {one_line(line, MOST_LETTERS)}")
@@ -147,6 +150,20 @@ def _say_all(lines: Sequence[str]) -> None:
         _say(f"And {len(lines) - MOST_LINES} others like this one.")
 
 
+@contextmanager
+def _resumable(book: Book, found: Class) -> Iterator[None]:
+    """Say after Ctrl-C what is kept, and how to continue."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        kept = sum(book.grade_of(student) is not None for student in found.handed)
+        _say(
+            f"Stopped. {kept} of {len(found.handed)} submissions have a grade, and all of these are kept. Run the same"
+            " command again: it continues with the others, and then writes marks and pages."
+        )
+        raise
+
+
 def _say(line: str) -> None:
     output.print(line, markup=False, soft_wrap=True)
 
@@ -163,15 +180,14 @@ def _grade_all(book: Book, found: Class, every: Iterator[Task], graders: Workers
                     yield task
 
         def keep(graded: Graded) -> None:
-            if graded.content["identity"]["versions"] != expected:
-                raise InvalidInput("a worker has other versions of the lab or its packages than this machine")
+            refuse_other_versions(expected, graded.content["identity"]["versions"], found.lab)
             book.keep(graded)
             advance()
 
-        run(todo(), graders, keep, failures)
+        run(todo(), graders, keep, failures, lambda: errors.print("Stopping; what is being written is finished …"))
 
 
-@contextlib.contextmanager
+@contextmanager
 def _progress(what: str, total: int) -> Iterator[Callable[[], None]]:
     """A bar with a name; what is yielded moves it on by one."""
     columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())

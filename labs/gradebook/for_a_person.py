@@ -11,6 +11,7 @@ from pathlib import Path
 from labs.assessment.shares import CODE, SHARES
 from labs.gradebook import written
 from labs.gradebook.arrivals import EARLIER, Arrival
+from labs.gradebook.book import Failures
 from labs.gradebook.class_grading import MARKS, Class
 from labs.gradebook.deadlines import CALLED_LATE
 from labs.gradebook.mistakes import naming
@@ -24,11 +25,16 @@ MOST_NAMED = 5
 
 
 def left_to_do(
-    folder: Path, found: Class, every: Sequence[Mark], failed: Sequence[str], shared: Sequence[Cluster]
+    folder: Path, found: Class, every: Sequence[Mark], failures: Failures, shared: Sequence[Cluster]
 ) -> Iterator[str]:
-    """A line for each kind of thing that a person has to look at. failed: students whose grading itself failed."""
+    """A line for each kind of thing that a person has to look at."""
     notes = f"The notes in {folder / MARKS}"
-    if failed:
+    if failures.busy:
+        yield (
+            f"{_of(sorted(failures.busy), 'not graded for lack of time')}. This machine was too busy with other"
+            " programs. No points are lost: run the same command again when it is idle."
+        )
+    if failed := [student for student in failures.said if student not in failures.busy]:
         yield f"{_of(failed, 'could not be graded')}. {notes} say why; run the command again."
     if found.strangers:
         yield f"{_of([*found.strangers], 'not on the roster')}. Their marks are in {MARKS}, but in no file to upload."

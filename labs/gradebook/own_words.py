@@ -17,7 +17,7 @@ NOT_TRIED, NO_RESULT = "it was not tried: the time was used up", "the run came t
 _KINDS = {name for name, each in vars(builtins).items() if isinstance(each, type) and issubclass(each, Exception)}
 _RAISED = re.compile(r"^\w+ (?:raised|could not be defined:) (\w+)\b")
 _KIND = re.compile(r"^(\w+)(?::|$)")
-_OUT_OF_TIME = re.compile(r"^\w+ (?:was not called|gave no answer within|gave no answer: .*(?:used up$|its share of ))")
+_OUT_OF_TIME = re.compile(r"^\w+ gave no answer(?: within|: .*(?:used up$|its share of ))")
 _OUR_DRIVERS = re.compile(
     r"^(?:(?:more than )?\d+ impacts (?:in|within) one step|with these answers the run comes to no end)"
 )

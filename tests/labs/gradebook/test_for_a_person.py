@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from labs.gradebook.arrivals import EARLIER, Arrival, Missing
+from labs.gradebook.book import Failures
 from labs.gradebook.class_grading import Class
 from labs.gradebook.deadlines import CALLED_LATE, Lateness
 from labs.gradebook.for_a_person import left_to_do
@@ -27,12 +28,13 @@ def test_three_hundred_odd_submissions_make_a_handful_of_lines():
     )
     late = Lateness(said=CALLED_LATE)
     every = [Mark(each, "impulse", 45.0, 35.0, late, CODE) for each in everybody]
-    lines = list(left_to_do(Path("grades"), found, every, ["7"], ()))
+    lines = list(left_to_do(Path("grades"), found, every, Failures({"7": "busy", "8": "died"}, {"7"}), ()))
     assert [line.partition(": ")[0] for line in lines] == [
-        "1 could not be graded", "300 with several files for this lab", "300 who handed in a Python file",
-        "300 late, but the platform does not say by how much", "The written questions of 300 are to be marked",
+        "1 not graded for lack of time", "1 could not be graded", "300 with several files for this lab",
+        "300 who handed in a Python file", "300 late, but the platform does not say by how much",
+        "The written questions of 300 are to be marked",
     ]  # fmt: skip
-    assert lines[1].startswith("300 with several files for this lab: 0, 1, 2, 3, 4 and 295 others. The notes in")
+    assert lines[2].startswith("300 with several files for this lab: 0, 1, 2, 3, 4 and 295 others. The notes in")
     assert all(len(line) < 250 for line in lines)
 
 
@@ -40,13 +42,13 @@ def test_what_needs_nobody_is_not_said():
     ada = Student("ada")
     found = Class("impulse", Roster((ada,)), {"ada": arrival(f"ada_1 {EARLIER} and is not graded")})
     every = [Mark(ada, "impulse", 100.0, content=NOTEBOOK), Mark(Student("bob"), "impulse", None, notes=("nothing",))]
-    assert list(left_to_do(Path("grades"), found, every, (), ())) == []
+    assert list(left_to_do(Path("grades"), found, every, Failures(), ())) == []
 
 
 def test_who_is_on_no_roster_and_whose_file_cannot_be_read_are_named():
     found = Class("impulse", Roster(()), unusable={"bob": Missing(Owner(PLAIN, "bob"), "bob", "it is a link")})
     found.strangers["Canvas 66"] = Student("Canvas 66")
     every = [Mark(Student("eve"), "impulse", 0.0, content=CODE | {"unreadable": "it is empty"})]
-    first, second = left_to_do(Path("grades"), found, every, (), ())
+    first, second = left_to_do(Path("grades"), found, every, Failures(), ())
     assert first == "1 not on the roster: Canvas 66. Their marks are in grades.csv, but in no file to upload."
     assert second.startswith("2 with nothing that could be graded: eve, bob. The notes in")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import csv
 import json
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from program import collisions
@@ -12,6 +13,7 @@ from submissions import notebook
 
 from labs.gradebook.deadlines import CALLED_LATE
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.workers import Workers
 
 ROSTER = "student_id,name,canvas_id\n4711,Ada Lovelace,7\n4712,Zoë Müller,8\n4713,Bob,9\n4714,Carl,10\n"
 NORMAL_VELOCITY = """\
@@ -136,6 +138,26 @@ def test_a_wrong_column_or_number_is_refused_before_anything_is_graded(tmp_path,
     assert found.code == 2
     assert said in " ".join(found.error.split())
     assert not (tmp_path / "grades").exists()
+
+
+def test_a_submission_that_a_busy_machine_stopped_loses_nothing_and_is_graded_in_the_next_run(tmp_path, monkeypatch):
+    place = tmp_path / "submissions" / "ada"
+    place.mkdir(parents=True)
+    (place / "impulse.py").write_text(NORMAL_VELOCITY, encoding="utf-8")
+    arguments = ("grade", str(place.parent), "--lab", "impulse", "--out", str(tmp_path / "grades"), "--no-runs")
+    one_thread = lambda count, _: contextlib.nullcontext(Workers(count, lambda: ThreadPoolExecutor(1)))  # noqa: E731
+    monkeypatch.setattr("labs.cli.grade.here", one_thread)
+    with monkeypatch.context() as busy:
+        busy.setattr("labs.grading.budget.ON_THE_CLOCK", 1e-9)
+        stopped = collisions(*arguments)
+    assert stopped.code == 1
+    assert "1. 1 not graded for lack of time: ada." in stopped.output
+    assert "run the same command again when it is idle" in " ".join(stopped.output.split())
+    found = marks(tmp_path)["ada"]
+    assert (found["score"], found["notes"].startswith("not graded for lack of time")) == ("", True)
+    again = collisions(*arguments)
+    assert again.code == 0, again.error
+    assert marks(tmp_path)["ada"]["score"] == "0"  # of a wrong function alone
 
 
 SCALED = """\

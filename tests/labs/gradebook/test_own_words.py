@@ -8,6 +8,7 @@ from submissions import solved
 from labs.gradebook import scenario_runs
 from labs.gradebook.own_words import NO_RESULT, NOT_TRIED, in_our_words
 from labs.gradebook.runs_compared import spreads
+from labs.grading.budget import SECONDS
 from reference.comparison.verdicts import NOTHING_FINITE
 
 
@@ -20,11 +21,10 @@ from reference.comparison.verdicts import NOTHING_FINITE
         ("collide could not be defined: Bob", "collide could not be defined because of an exception of its own"),
         ("collide needs audit (impulse, step 9): it is not written yet", "audit is not written yet"),
         ("collide gave no answer within 5 s and was stopped", "collide ran out of time"),
-        ("collide was not called: the 20 s of this test are used up", "collide ran out of time"),
         ("collide gave no answer: the 20 s of this test are used up", "collide ran out of time"),
         ("collide gave no answer: it ended itself with code 7", "collide gave no answer"),
         ("collide gave a Bob; an answer is a number", "collide gave something that is no answer"),
-        ("it was not tried: 20 s are used up", NOT_TRIED),
+        ("it was not tried to the end: the 20 s that the whole file has are used up", NOT_TRIED),
         ("ValueError: could not convert 'Bob'", f"{NO_RESULT}, but to a ValueError"),
         ("Bob: is ill", NO_RESULT),
         ("bob raised ValueError", NO_RESULT),
@@ -44,6 +44,6 @@ def test_an_exceptions_text_is_not_on_the_page_of_the_class(grader, tmp_path):
     for number, kind in enumerate(("ValueError", "type('Bob', (Exception,), {})")):
         path = tmp_path / f"{number}.py"
         path.write_text(solved(tmp_path, "response").read_text() + raised.format(kind))
-        kept.append(scenario_runs.run(path, "response", grader))
+        kept.append(scenario_runs.run(path, "response", grader, SECONDS))
     said = dict(spreads(kept, "response")[0].without)
     assert said == {"respond_at_impact raised ValueError": 1, "respond_at_impact raised an exception of its own": 1}
