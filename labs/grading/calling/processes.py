@@ -147,7 +147,8 @@ class Process:
         while rest:
             try:
                 rest = rest[os.write(self._requests, rest) :]
-                deadline.check()  # one that reads byte by byte always seems ready
+                if rest:
+                    deadline.check()  # one that reads byte by byte always seems ready
             except BlockingIOError:
                 self._wait(self._requests, "POLLOUT", deadline)
 
