@@ -21,8 +21,8 @@ from labs.project_folders import ROOT
 from labs.workers import here
 from reference.errors import InvalidInput
 
-ENOUGH = 60.0  # s: a Python with NumPy starts in less, on a busy machine too
-PROMPTLY = 30.0  # s: on a busy machine; an idle one takes less than one
+ENOUGH = 200.0  # s: two Pythons with NumPy start in two, and took 50 with a twentieth of a processor
+PROMPTLY = 60.0  # s: on a busy machine; an idle one takes less than one, and without an end it would be for ever
 SCRIPT = """
 import os, sys, tempfile, time
 from dataclasses import replace
