@@ -115,6 +115,28 @@ def crossings(figure: Figure) -> None:
     axes.plot(0.1, -0.95, "o", color=INK, zorder=6)
 
 
+def facing(figure: Figure) -> None:
+    """A face that looks up and a face that looks down, from the side, and the sign of orient3d for points beside them.
+
+    Each face is a line, and an arrow is its normal. On the left the normal points up: the face looks up. orient3d is +1
+    for a point above it, which is in front of it, and −1 for a point below it, which is behind it. On the right the
+    normal points down: the face looks down. There orient3d is −1 for a point above it, and +1 for a point below it.
+    """
+    axes = board(figure, (-3.7, 3.7), (-1.75, 1.9))
+    for middle, up, name in ((-1.9, 1.0, "looks up"), (1.9, -1.0, "looks down")):
+        start, end = np.array([middle - 1.25, -0.2]), np.array([middle + 1.25, 0.2])
+        axes.plot(*zip(start, end, strict=True), color=INK, lw=2.4)
+        arrow(axes, (middle - 0.6, -0.096), -0.8 * up * _right(end - start), GREY, "normal", at=0.75, beside=(-26, 0))
+        axes.annotate(f"a face that {name}", (middle, 1.72), ha="center", va="center", color=INK)
+        for height in (1.05, -1.05):
+            sign = up * np.sign(height)
+            colour, mark, where = (BLUE, "o", "in front") if sign > 0 else (ORANGE, "s", "behind")
+            place = np.array([middle - 0.1, height])
+            axes.plot(*place, mark, color=colour, markersize=8, mfc=colour if sign > 0 else "white")
+            text = f"orient3d = {'+1' if sign > 0 else '−1'}\n{where}"
+            axes.annotate(text, place, (10, 0), textcoords="offset points", color=colour, va="center")
+
+
 def angles(figure: Figure) -> None:
     """How much of a point's view the sides of an outline take.
 
@@ -176,7 +198,9 @@ def crossed(figure: Figure) -> None:
     right.plot([-0.12, 0.12], [-1.5, -1.5], color=BLUE, lw=1.8)
 
 
-LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (heights, areas, turning, crossings, angles, crossed)}
+LAB_FIGURES: dict[str, Draw] = {
+    draw.__name__: draw for draw in (heights, areas, turning, crossings, facing, angles, crossed)
+}
 """The figures by name."""
 
 

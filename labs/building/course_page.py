@@ -14,10 +14,16 @@ from reference import lecture
 IDEAS: Mapping[str, tuple[str, str]] = {
     "detection": ("the dot product", "nothing"),
     "response": ("the dot product", "that a signed distance says which side of a plane a point is on (`detection`)"),
-    "friction": ("forces in two directions", "what happens along the normal (`response`)"),
+    "friction": (
+        "forces in two directions; in step 6 the cross product and the moment of inertia",
+        "what happens along the normal (`response`)",
+    ),
     "impulse": ("the cross product, the moment of inertia", "the coefficient of restitution (`response`)"),
     "polyhedra": ("the cross product, arrays of indices", "which side of a plane a point is on (`detection`)"),
-    "sweeping": ("quadratic equations", "when a point meets a plane, and what a step misses (`detection`)"),
+    "sweeping": (
+        "quadratic equations, a little integration",
+        "when a point meets a plane, and what a step misses (`detection`)",
+    ),
     "forces": ("derivatives", "nothing"),
     "meshes": ("derivatives, matrices", "springs and their longest timestep (`forces`)"),
     "avoidance": ("the dot product", "nothing"),
@@ -45,7 +51,7 @@ def page() -> str:
 
 def _table(there: Sequence[str]) -> str:
     rows = [
-        "| lab | hours | functions to write | statements of the lecture | mathematics | builds on |",
+        "| lab | hours | functions to write | [statements of the lecture](statements.md) | mathematics | builds on |",
         "|---|---|---|---|---|---|",
     ]
     for topic in lecture.TOPICS:
@@ -114,6 +120,15 @@ the next week, name the next lab in `--through`; the release then also has the a
 Take one lab a week, in the order of the table, which is that of the lecture. As long as some labs are only planned,
 this fills fewer weeks. The last one, `world`, will put the others together and will need two sessions.
 `collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
+
+A session of two hours holds about the steps that the instructor's page of a lab calls *the lab*. Three labs need a
+decision of yours:
+
+- `polyhedra` has 170 minutes of such steps. Give its steps 6 and 7, 45 minutes, as homework: the robot and the lid,
+  which come after them, do not need them.
+- `response` has 130 minutes. Give its step 7 as homework.
+- `friction` comes before `impulse`, and its step 6, the bowling ball, needs the cross product and the moment of
+  inertia. If your class does not know them, come back to this step after `impulse`: step 7 does not need it.
 
 ## Handing out and marking
 

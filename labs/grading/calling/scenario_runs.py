@@ -45,7 +45,8 @@ MOST_NUMBERS, MOST_AXES = 64, 3
 """Limits of an array that a function returns in a run: a matrix for each of a few bodies."""
 RIGHT = package_of_correct_functions() or "solutions"
 """The package with correct functions of the other topics. If a student's tree has none, these tests are skipped."""
-WITHOUT_OTHERS = "whole scenarios need right functions of other labs, which only the instructor's copy has"
+WITHOUT_OTHERS = "whole scenarios are run with your functions when the lab is marked"
+"""What a student reads who lacks other labs' functions."""
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from labs.building import course_page, instructor_page, lessons, notebooks
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.building.points import points_of
 from labs.cli import lab
+from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.submission.reading import read
 from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, LESSONS, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
@@ -221,6 +222,11 @@ def test_the_page_of_the_course_names_every_lab_and_adds_up_its_minutes():
             )
         )
         assert f"| `{topic}` | [{planned / 60:.2g}](instructors/{topic}.md) |" in page
+
+
+def test_the_mistakes_to_expect_first_are_known_mistakes():
+    known = {(entry.function, entry.name) for entry in read_bank()}
+    assert {(name, mistake) for name, first in instructor_page.LIKELIEST.items() for mistake in first} <= known
 
 
 def test_the_page_of_a_lab_has_every_question_with_its_rubric_and_every_prediction():

@@ -9,6 +9,7 @@ import pytest
 from labs.building import lessons, notebooks
 from labs.building.notebooks import WIDTH
 from labs.project_folders import LESSONS
+from reference import lecture
 
 
 @pytest.fixture(scope="module")
@@ -33,6 +34,12 @@ def times_of(topic: str) -> dict[str, list[str]]:
     table = (LESSONS / "times.md").read_text(encoding="utf-8").partition(f"## {topic}\n")[2].partition("\n## ")[0]
     rows = [[part.strip() for part in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("| ")]
     return {row[0]: row[1:] for row in rows[1:]}
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_a_lesson_has_the_title_that_its_check_shows(topic):
+    first = next(cell for cell in lessons.read(topic).cells if not cell.code)
+    assert first.text.splitlines()[0] == f"# {lecture.topic(topic).title}"
 
 
 HOURS = {"four": 4, "five": 5}

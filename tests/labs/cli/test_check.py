@@ -168,4 +168,4 @@ def test_without_the_solutions_scenarios_are_left_out_and_cost_nothing(tmp_path,
     code, text = checked(tmp_path / "lab.py")
     assert code == 1  # six are to do
     assert "✓ kinematic_response" in text
-    assert "1 test left out: whole scenarios need right functions of other labs" in joined(text)
+    assert "1 test left out: whole scenarios are run with your functions" in joined(text)
