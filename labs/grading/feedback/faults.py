@@ -198,7 +198,8 @@ def _diagnosed(
 
 def _is_shown(diagnosis: Diagnosis, example: Counterexample, told: Sequence[str]) -> bool:
     """Whether the reported tests show the mistake already, so that an example adds nothing."""
-    in_many = diagnosis.verdict == "one at a time" or bool(example.answer.error)
-    if told and in_many:
+    if diagnosis.verdict == "crashes" and not any(map(ended_without_numbers, told)):
+        return False
+    if told and (diagnosis.verdict == "one at a time" or example.answer.error):
         return True
     return any(map(has_physics, told)) and not (diagnosis.odd and any(map(has_no_number, told)))

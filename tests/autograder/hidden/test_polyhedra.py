@@ -279,7 +279,17 @@ def test_any_point_in_or_around_a_u(submission, part, examples):
         expect(submission.inside_by_parity, ([[0.5, 0.5, 0.5], [0.5, 0.5, 2], [0.5, 0.5, 3.5]], *two), [1, 0, 1])
         loose = CUBE[CUBE_FACES].reshape(-1, 3), np.arange(36).reshape(-1, 3)
         expect(submission.inside_by_parity, ([[0.5, 0.5, 0.5], [0.5, 0.5, 2]], *loose), [1, 0])
-    with part(1, "a millionth off the surface"):
+        one_turned = np.concatenate([CUBE_FACES[:1, ::-1], CUBE_FACES[1:]])
+        middle = CUBE[CUBE_FACES[0]].mean(axis=0)
+        places = [middle + share * (0.5 - middle) for share in (0.1, -0.1)]
+        expect(submission.inside_by_parity, (places, CUBE, one_turned), [1, 0])
+    with part(1, "a millionth off the surface; hardly beside a slanted edge"):
+        tenths = np.array([[0.1, 0.2, 0.3], [1.3, 0.5, 0.1], [0.4, 1.7, 0.2], [0.7, 0.8, 1.9]])
+        sides = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
+        shares = np.arange(1, 12)[:, None] / 12
+        for end in (1, 2):  # far below the edge from the first corner: outside
+            under = tenths[0] + shares * (tenths[end] - tenths[0]) - [0, 0, 1]
+            expect(submission.inside_by_parity, (under, tenths, sides), np.zeros(11))
         places = [[2, 0.5, z] for z in (1e-6, -1e-6, 2 - 1e-6, 2 + 1e-6)]
         expect(submission.inside_by_parity, (places, U_SOLID, U_FACES), [1, 0, 1, 0])
     with part(1, "many at once, their arrays left as they were"):

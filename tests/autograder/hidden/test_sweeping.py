@@ -286,6 +286,8 @@ def test_any_ray_meets_a_capsule_where_its_distance_is_the_radius(submission, pa
             (a + along + 2 * third, third),
             (a - 0.2 * along + 2 * third, -third),
             (b + 0.5 * along + 2 * third, -third),
+            (a + 0.8 * along + 1.6 * across, along - across),  # past the nearer end to the other one
+            (a + 1.2 * along + 1.6 * across, -along - across),
         ):
             expect(submission.ray_capsule, (x, u, a, b, 1.0), reached(x, u, a, b, 1.0))
     with part(1, "which end comes first does not matter, and both may be one"):

@@ -39,6 +39,10 @@ def slow_is_at_rest(push, v, N, s, k):
     return DRY.friction(push, np.where(size(v) > 1e-2, v, 0.0), N, s, k)
 
 
+def hardly_moving_is_at_rest(push, v, N, s, k):
+    return DRY.friction(push, np.where(size(v) > 1e-9, v, 0.0), N, s, k)
+
+
 def no_more_than_the_push(f, v, N, s, k):
     return -np.minimum(col(k * N), size(f)) * direction(v)
 
@@ -55,6 +59,11 @@ def stops_without_the_push(p, v, f, N, s, k, m, dt):
     return place + speed * rest + after * rest**2 / 2, speed + after * rest, np.where(stops, time, np.inf)
 
 
+def braked_by(opposes):
+    """Only a push that opposes the velocity lets the body stop."""
+    return lambda p, v, f, *rest: DRY.slide(p, v, f, *rest, stop=opposes(flat(dot(np.asarray(f), v))))
+
+
 def step_of_a_game(p, v, f, N, s, k, m, dt):
     """The new velocity moves the body, or it stops where the velocity would turn."""
     a, dt = (f + DRY.friction(f, v, N, s, k)) / col(m), np.asarray(dt, dtype=float)[..., None]
@@ -62,6 +71,20 @@ def step_of_a_game(p, v, f, N, s, k, m, dt):
     turned = (size(v) > 0) & (dot(new, v) <= 0)
     new = np.where(turned, 0.0, new)
     return p + new * dt, new, flat(np.where(turned, over(size(v), size(a)), np.inf))
+
+
+def root_over_nothing(found):
+    """The root (−b + √(b² − a c))/a, with something else where a is 0 and b is positive."""
+
+    def time(force, rate, n, mu):
+        rise, f, g = -flat(dot(rate, n)), SUPPORT.along(np.asarray(force), n), SUPPORT.along(np.asarray(rate), n)
+        N = -flat(dot(force, n))
+        a, b = flat(dot(g, g)) - (mu * rise) ** 2, flat(dot(f, g)) - np.asarray(mu) ** 2 * N * rise
+        right = LIMITS.leaving(force, rate, n, mu)
+        lifts = np.where(rise < 0, N / np.where(rise < 0, -rise, 1), np.inf)
+        return np.where((right > 0) & (np.abs(a) < 1e-12) & (b > 0), np.minimum(found, lifts), right)
+
+    return time
 
 
 def shortened(length):
@@ -114,6 +137,10 @@ BANK = (
       "A body that slides slowly is taken for one at rest. Dry friction does not depend on the speed: as long as the"
       " body moves at all, it slides.",
       "A glacier slides a metre a day. Which of the two coefficients does it feel?"),
+    M("friction_force", "hardly moving is at rest", hardly_moving_is_at_rest,
+      "A body below some tiny speed is taken for one at rest. Dry friction does not depend on the speed: as long as the"
+      " body moves at all, it slides.",
+      "A continent moves by 10⁻⁹ m/s. Which of the two coefficients does it feel?"),
     M("friction_force", "no more than the push", DRY.of(moving=no_more_than_the_push),
       "While the body slides, friction is never more than the push, as if it only answered the push. A book that slides"
       " by itself would then never stop.",
@@ -121,6 +148,13 @@ BANK = (
     M("sliding_motion", "push left out of the stop", stops_without_the_push,
       "The time to stop is that of friction alone. The push brakes the body as well, or drives it on.",
       "Somebody pushes against a crate that slides. Does it stop sooner than by itself?"),
+    M("sliding_motion", "no stop while pushed on", braked_by(lambda along: along <= 0),
+      "A body that is pushed along its way is said never to stop. Friction may be larger than the push, and then it is"
+      " braked all the same.",
+      "Somebody helps a sliding crate on with one finger. Does it slide for ever?"),
+    M("sliding_motion", "no stop unless pushed back", braked_by(lambda along: along < 0),
+      "Only a push against the velocity lets the body stop. Friction brakes it as well, and alone if nobody pushes.",
+      "A crate slides, and nobody pushes it. What stops it? Which sign has v·a then?"),
     M("sliding_motion", "step of a game", step_of_a_game,
       "The body moves with the velocity at the end of the step, and a velocity that would turn is set to zero. The"
       " exact motion includes the way of the braking, and what comes after the stop.",
@@ -151,6 +185,18 @@ BANK = (
       "A push along the surface that does not grow is said to hold for ever. The normal force may fall meanwhile, and"
       " with it what friction can hold.",
       "You push a crate steadily while somebody begins to lift it. What happens?"),
+    M("break_away_time", "no time where both grow alike", root_over_nothing(np.inf),
+      "Where the push grows as fast as the limit falls, a is zero, and the usual root divides by it. The equation is"
+      " linear then, and its time is lost: the body is said to hold until it is lifted off.",
+      "The push grows by 1 N/s, and μ_s N falls by 1 N/s. What are a and the root's denominator?"),
+    M("break_away_time", "0/0 where both grow alike", root_over_nothing(np.nan),
+      "Where the push grows as fast as the limit falls, a is zero, and the usual root is 0/0. The equation is linear"
+      " then.",
+      "The push grows by 1 N/s, and μ_s N falls by 1 N/s. What are a and the root's denominator?"),
+    M("break_away_time", "a tiny number for a = 0", root_over_nothing(0.0),
+      "Where the push grows as fast as the limit falls, a is zero, and the root is divided by a tiny number instead."
+      " Its numerator is zero as well, and the body is said to break away at once.",
+      "The push grows by 1 N/s, and μ_s N falls by 1 N/s. What are a and −b + √(b² − a c)?"),
     M("friction_force", "limit while held", DRY.of(rest=lambda f, v, N, s, k: -col(s * N) * direction(f)),
       "A body that is held gets μ_s N, as slide 24 prints it. That is only the largest value of static friction: "
       "with a gentle push, friction would win and set the body in motion against the push.",

@@ -159,8 +159,10 @@ BANK = (
       "The impulse turns the ball the wrong way: friction would spin it up for ever.",
       "What is r × J for the arm r = −R z?"),
     M("roll_step", "arm and impulse swapped", with_(turn=-1, arm=1),
-      "The cross products have the wrong order: it is ω × r for the velocity, and r × J for the torque.",
-      "Which way does the ball begin to turn if friction pulls its lowest point back?"),
+      "Both cross products have the wrong sign. Either their factors are exchanged (it is ω × r for the velocity, and"
+      " r × J for the torque), or the arm points up in both of them, to the highest point of the ball.",
+      "From the centre, where is the point that touches the floor? And which way does the ball begin to turn if"
+      " friction pulls this point back?"),
     M("roll_step", "never rolls", with_(push=lambda J, wanted, u, limit: -limit * direction(u)),
       "Friction has its full size to the last: where it could stop the slip within the step, it turns the slip round.",
       "The ball almost rolls. How much friction does it need to stop its slip?"),

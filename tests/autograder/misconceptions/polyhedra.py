@@ -37,6 +37,11 @@ def unit(n):
     return n / length(n)
 
 
+def over_more(n):
+    """Divided by the length and a tiny area, against division by zero."""
+    return n / (length(n) + 1e-12)
+
+
 def away_from(place):
     """Turned so that the normal points away from a place of the solid."""
 
@@ -111,6 +116,10 @@ def true_distance(p, v, f):
 
 # fmt: off
 BANK = (
+    M("face_planes", "a tiny number below", plane_with(lambda n, v, f: over_more(n)),
+      "A tiny number is added to the length of the cross product, so that nothing is divided by zero. The length is an"
+      " area: of a face of micrometres it is no larger than that number. A face without area is to be refused.",
+      "How long is (b − a)×(c − a) for sides of a micrometre? And is your normal of unit length then?"),
     M("face_planes", "inwards", plane_with(lambda n, v, f: -unit(n)),
       "Every normal points into the solid. The two sides are multiplied in the wrong order, and in a cross product the"
       " order decides the direction.",

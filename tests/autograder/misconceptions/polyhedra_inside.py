@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.diagnosis.misconceptions import Misconception as M
-from solutions.polyhedra import orient2d, orient3d, solid_angle
+from solutions.polyhedra import orient2d, orient3d, side_of_line, solid_angle
 
 
 def flat_and_side(p, v, f):
@@ -33,17 +33,22 @@ def counted(hit, odd=lambda count: count % 2 == 1):
     return lambda p, v, f: odd(np.sum(hit(*flat_and_side(p, v, f)), axis=-1))
 
 
-def right(p, v, f):
+def right(p, v, f, side_of=orient2d):
     """The ray starts at the point moved by tiny steps along x and y, and so meets no edge."""
     p, corners = np.asarray(p, dtype=float)[..., None, :], np.asarray(v)[f]
     a, b, c = (corners[:, k] for k in range(3))
     turns = []
     for s, e in ((a, b), (b, c), (c, a)):
-        turn = orient2d(s[:, :2], e[:, :2], p[..., :2])
+        turn = side_of(s[:, :2], e[:, :2], p[..., :2])
         turn = np.where(turn == 0, np.sign(s[:, 1] - e[:, 1]), turn)
         turns.append(np.where(turn == 0, np.sign(e[:, 0] - s[:, 0]), turn))
     hit = strictly_within(np.stack(turns)) & ahead(np.stack(turns), orient3d(a, b, c, p))
     return np.sum(hit, axis=-1), np.sum(hit & (turns[0] > 0), axis=-1)
+
+
+def by_winding(inside):
+    """What a number of turns around the point says."""
+    return lambda p, v, f: inside(np.abs(total(angles(p, v, f)) / (4 * np.pi)))
 
 
 def moved(p, v, f):
@@ -122,6 +127,20 @@ BANK = (
       " that is smaller, or so far from the origin that the sum is rounded back to the point. Nothing has to be added:"
       " the sign of a sum with ε in it is found without a value of ε.",
       "How wide is a solid that your point leaves by its step? And what are 1e9 + 1e-9 in floats?"),
+    M("inside_by_parity", "sides in plain floats", lambda p, v, f: right(p, v, f, side_of_line)[0] % 2 == 1,
+      "The sides of the edges are found in plain floats. Hardly beside an edge, rounding may put the point on the same"
+      " side of it in both faces, or on none: the ray meets both of them or slips out between.",
+      "Two faces share an edge, and run through it in opposite ways. Do your floats always see the point on opposite"
+      " sides? Which function of the lab decides this without rounding?"),
+    M("inside_by_parity", "winding number for parity", by_winding(lambda turns: np.round(turns) % 2 == 1),
+      "It is the winding number, rounded. That needs faces which all look outwards. The number of crossings does not"
+      " depend on which way a face is turned.",
+      "Turn one face of a cube over. What do solid angles say close to this face, and what does a ray say?"),
+    M("inside_by_parity", "winding number over a half", by_winding(lambda turns: turns > 0.5),
+      "It is the winding number, and more than a half of a turn counts as inside. From a hollow that is surrounded"
+      " twice a ray crosses the surface twice, and with a face turned over solid angles do not count crossings at all.",
+      "One cube is within another, and the faces of both look outwards. Is the inner cube a part of the solid by"
+      " parity? How often is a point in it surrounded?"),
     M("inside_by_parity", "line for ray", counted(lambda t, s: within(t) & (np.sum(t, axis=0) * s != 0)),
       "No point is inside. Are faces behind the start counted as well? A line goes into a closed surface as often as"
       " out of it, so that the number is always even.",

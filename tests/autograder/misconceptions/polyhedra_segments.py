@@ -83,13 +83,17 @@ def from_the_front(start, end, triangle):
     return np.where(hit, t, np.inf), np.where(hit[..., None], w, np.nan)
 
 
-def nearly_parallel(start, end, triangle):
+def nearly_parallel(limit):
     """A fixed limit for the determinant, whatever the size."""
-    corners = np.asarray(triangle, dtype=float)
-    a, b, c = (corners[..., k, :] for k in range(3))
-    t, w = solved(start, end, triangle)
-    hit = both(t, w) & (np.abs(np.sum(np.cross(b - a, c - a) * np.subtract(end, start), axis=-1)) > 1e-6)
-    return np.where(hit, t, np.inf), np.where(hit[..., None], w, np.nan)
+
+    def found(start, end, triangle):
+        corners = np.asarray(triangle, dtype=float)
+        a, b, c = (corners[..., k, :] for k in range(3))
+        t, w = solved(start, end, triangle)
+        hit = both(t, w) & (np.abs(np.sum(np.cross(b - a, c - a) * np.subtract(end, start), axis=-1)) > limit)
+        return np.where(hit, t, np.inf), np.where(hit[..., None], w, np.nan)
+
+    return found
 
 
 def unsigned(t, w, p, q):
@@ -189,7 +193,11 @@ BANK = (
     M("segment_triangle", "box around the triangle", within_box,
       "A place in the box around the triangle counts as on the triangle.",
       "How much of a square do the points of a triangle with three of its corners fill?"),
-    M("segment_triangle", "fixed limit for parallel", nearly_parallel,
+    M("segment_triangle", "tiny limit for parallel", nearly_parallel(1e-9),
+      "Where the determinant is below a tiny number, the segment is taken to be parallel. The determinant is an area"
+      " times a length: with triangles of some micrometres it is always smaller than that.",
+      "How large is your determinant if all lengths are a million times smaller?"),
+    M("segment_triangle", "fixed limit for parallel", nearly_parallel(1e-6),
       "Where the determinant is below a fixed number, the segment is taken to be parallel. The determinant is an area"
       " times a length: with triangles of a millimetre it is always small.",
       "How large is your determinant if all lengths are a thousand times smaller?"),

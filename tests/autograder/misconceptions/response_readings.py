@@ -84,6 +84,12 @@ def nearly_equal(m, k, c=0.0):
     return (np.sqrt(np.asarray(c) ** 2 + 4 * np.asarray(m) * k) - c) / k
 
 
+def zero_mended(m, k, c=0.0):
+    """The difference, and 2 m/c only where no digit of it is left."""
+    found = nearly_equal(m, k, c)
+    return np.where(found > 0, found, 2 * np.asarray(m) / np.where(np.asarray(c) > 0, c, 1.0))
+
+
 # fmt: off
 BANK = (
     M("kinematic_response", "left in the plane's frame", left_in_the_planes_frame,
@@ -98,6 +104,10 @@ BANK = (
       "After the impact the plane goes on carrying the weight, as it does for one step where the response comes at time"
       " steps. Here the ball has left the plane, and its weight pulls it down.",
       "What touches the ball after the bounce?"),
+    M("respond_at_impact", "T = 0 is no impact", lambda *given: struck(*given[:5], np.where(
+        np.asarray(given[5]) > 0, given[5], np.inf), given[6]),
+      "An impact at the very start of the step is not answered, and the body goes on into the plane.",
+      "A ball lies on the plane and moves into it. At which T does it strike?"),
     M("respond_at_impact", "T for a share", share_of_the_step,
       "The time of impact is taken for a share of the step, from 0 to 1. It is a time.",
       "In which unit is T given?"),
@@ -124,6 +134,11 @@ BANK = (
     M("penalty_step_limit", "digits lost", nearly_equal,
       "With a strong damper two nearly equal numbers are subtracted, and no digit of their difference is left.",
       "What is √(1 + x²) − x for x = 10⁹ on your computer? Which form of it does without a difference?"),
+    M("penalty_step_limit", "digits lost, zero mended", zero_mended,
+      "With a strong damper two nearly equal numbers are subtracted. Where their difference is zero it is replaced, but"
+      " before that it has lost most of its digits.",
+      "What is √(1 + x²) − x for x = 10⁷ on your computer, and what is 1/(2 x)? Which form of it does without a"
+      " difference?"),
     M("kinematic_response", "whole velocity turned, no guard", seen(thrown_back),
       "The whole velocity is reversed and scaled by e, and nothing asks whether the body approaches. "
       "Slide 7 changes only the component along the normal.",

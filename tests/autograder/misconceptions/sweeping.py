@@ -32,6 +32,11 @@ def inside(x, u, r):
     return (length(x) <= r) & (inner(u, u) >= 0)
 
 
+def hardly_outside(x, u, r):
+    """Within by a number of square metres."""
+    return inner(x, x) - np.asarray(r) ** 2 + 0 * inner(u, u) <= 1e-9
+
+
 def never(x, u, r):
     return inside(x, u, r) & False
 
@@ -131,6 +136,10 @@ def towards(x, u, r):
 
 # fmt: off
 BANK = (
+    M("ray_sphere", "hardly outside is inside", met(starts=hardly_outside),
+      "A start whose x² − r² is below a fixed number counts as one on the surface. The number is an area: around a"
+      " grain of dust it is always small.",
+      "How large is x² − r², in square metres, one micrometre before a ball of a micrometre?"),
     M("ray_sphere", "far root", met(lambda a, b, c: root(a, b, c, 1)),
       "The time is that at which the ray leaves the sphere. A line crosses a sphere twice, and the ray comes in at the"
       " earlier of the two times.",

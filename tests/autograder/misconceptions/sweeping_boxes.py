@@ -94,6 +94,10 @@ def still_is_fine(x, u, h):
     return np.where(still, -np.inf, low), np.where(still, np.inf, high)
 
 
+def slow_is_still(x, u, h):
+    return right(x, np.where(np.abs(u) < 1e-9, 0.0, u), h)
+
+
 def surface_twice(x, u, h):
     """From within, the first crossing of the surface is taken for the entry."""
     entry, leaving = right(x, u, h)
@@ -179,12 +183,21 @@ def nearest_ball(x, u, a, b, r):
     return ray_sphere(np.asarray(x) - near, u + 0 * e, np.asarray(r))
 
 
+def nearer_end(x, u, a, b, r):
+    """Of the balls around the ends, the one nearer to the start of the ray."""
+    first = length(np.asarray(x) - a) <= length(np.asarray(x) - b)
+    return np.where(first, capsule(second=False)(x, u, a, b, r), capsule(first=False)(x, u, a, b, r))
+
+
 def end_for_way(x, u, a, b, r):
     return capsule()(x, u, a, np.asarray(a) + b, r)
 
 
 # fmt: off
 BANK = (
+    M("ray_box", "slow is still", slow_is_still,
+      "A part of u below a fixed number counts as zero. The ray may be slow: it arrives late, and it arrives.",
+      "Divide u by 10¹². By how much do the two times change?"),
     M("ray_box", "0/0 on a face", box(divided, in_order_all),
       "A ray that glides along a face divides zero by zero there. The result is NaN, every comparison with it fails,"
       " and the ray seems to miss.",
@@ -258,6 +271,10 @@ BANK = (
       "A ray that only grazes the box, or that goes through a flat one, is said to miss. The faces belong to the box.",
       "What does the description say of a ray that grazes a corner?"),
 
+    M("ray_capsule", "nearer end alone", nearer_end,
+      "Of the balls around the ends, only the one that is nearer to the start of the ray is asked. A ray may fly past"
+      " this end and meet the other one.",
+      "A ray starts above the left end and falls slowly to the right. Which end does it meet?"),
     M("ray_capsule", "ends left out", capsule(first=False, second=False),
       "Only the side is tested. Around each end there is half a ball as well.",
       "Fly along the segment, straight at one of its ends. What do you meet?"),

@@ -149,6 +149,14 @@ def without_guard(points, position, v, w, target, dt, tolerance, looks):
     return np.nan, looks
 
 
+def last_look_wasted(*given):
+    """After the last look it is not asked whether the step ends before anything can happen."""
+    *bodies, _, tolerance, looks = given
+    time, used = loop()(*given)
+    goes_on = not np.isinf(loop()(*bodies, 1e300, tolerance, looks)[0])  # a step that ends later than any approach
+    return np.nan if used == looks and np.isinf(time) and goes_on else time, used
+
+
 def at_even_times(points, position, v, w, target, dt, tolerance, looks):
     """The step is divided by the number of looks."""
     points, position, v, w = (np.asarray(each, dtype=float) for each in (points, position, v, w))
@@ -297,6 +305,9 @@ BANK = (
     M("advance", "dt for infinity", loop(late=lambda t, dt: dt if t > dt else None),
       "Hulls that stay apart are said to touch at the end of the step.",
       "How can anyone who calls your function tell a touch at the end from none?"),
+    M("advance", "last look wasted", last_look_wasted,
+      "NaN is returned after the last look even if this look has shown that nothing happens in the step.",
+      "The hulls are 5 m apart, come nearer at 1 m/s, and the step lasts 2 s. How many looks does that take?"),
     M("advance", "apart when undecided", loop(none_left=lambda t, dt: np.inf),
       "When the looks are used up, the hulls are said to stay apart. Nobody knows that yet.",
       "What does the description say of looks that are used up?"),

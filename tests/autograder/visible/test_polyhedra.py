@@ -77,9 +77,10 @@ def test_every_face_has_a_plane_that_looks_outwards(submission, part):
         expect(submission.face_planes, (TETRAHEDRON, SIDES[:1]), (NORMALS[:1], OFFSETS[:1]))
         expect(submission.face_planes, (TETRAHEDRON, SIDES[2:3]), (NORMALS[2:3], OFFSETS[2:3]))
         expect(submission.face_planes, (TETRAHEDRON, SIDES[3:]), (NORMALS[3:], OFFSETS[3:]))
-    with part(1, "a face a thousand times as large, or as small"):
+    with part(1, "a face a thousand times as large, a thousandth or a millionth as large"):
         expect(submission.face_planes, (1000 * TETRAHEDRON, SIDES[1:2]), (NORMALS[1:2], 1000 * OFFSETS[1:2]))
-        expect(submission.face_planes, (0.001 * TETRAHEDRON, SIDES[:1]), (NORMALS[:1], 0.001 * OFFSETS[:1]))
+        for size in (1e-3, 1e-6):
+            expect(submission.face_planes, (size * TETRAHEDRON, SIDES[:1]), (NORMALS[:1], size * OFFSETS[:1]))
     with part(1, "several faces in one call"):
         expect(submission.face_planes, (TETRAHEDRON, SIDES), (NORMALS, OFFSETS))
         expect(submission.face_planes, (TETRAHEDRON, SIDES[::-1]), (NORMALS[::-1], OFFSETS[::-1]))
@@ -134,6 +135,8 @@ def test_an_edge_meets_a_face_where_it_is_within_all_sides(submission, part):
             ([0.125, 0.25, 0.625], 0.5, [0, 0, 1]),
         ):  # fmt: skip
             expect(submission.segment_triangle, (*through(weights, fraction, way), CORNERS), (fraction, weights))
+        start, end = through([0.25, 0.5, 0.25], 0.25, down)  # and in micrometres
+        expect(submission.segment_triangle, (1e-6 * start, 1e-6 * end, 1e-6 * CORNERS), (0.25, [0.25, 0.5, 0.25]))
         upright = np.array([[2.0, 0, 0], [2, 4, 0], [2, 0, 4]])
         for axis in range(3):  # a face across each of the axes in turn
             given = (np.roll(each, axis, axis=-1) for each in ([0.0, 0, 2.5], [8.0, 4, 0.5], upright))
@@ -195,6 +198,10 @@ def test_a_point_is_left_of_a_line_on_it_or_right(submission, part):
         expect(submission.side_of_line, ([[0, 0], [2, 1]], [3, 1], [[1, 2], [4, 0]]), [1, -1])
 
 
+TENTHS = np.array([[0.1, 0.2, 0.3], [1.3, 0.5, 0.1], [0.4, 1.7, 0.2], [0.7, 0.8, 1.9]])
+"""A tetrahedron whose coordinates are rounded, as most are: `SIDES` are its faces."""
+ONE_TURNED = np.array([[0, 3, 1], *CUBE_FACES[1:].tolist()])
+"""The cube's faces, one of them turned over: it has an inside all the same."""
 OCTAHEDRON = np.array([[3.0, 0, 0], [-3, 0, 0], [0, 3, 0], [0, -3, 0], [0, 0, 3], [0, 0, -3]])
 EIGHT = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
 
@@ -212,7 +219,9 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
             ([-0.3, 1.2, 1.4], 0), ([9, -7, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (in_l(place)[0], L_TURNED, L_FACES), inside)
-    with part(1, "behind other parts of the surface, in every direction; cubes around a cube"):
+    with part(1, "behind other parts of the surface, in every direction; cubes around a cube; a face turned over"):
+        for place, inside in (([0.1, 0.7, 1.3], 1), ([-0.1, 0.7, 1.3], 0), ([1.6, 0.7, 1.3], 1)):
+            expect(submission.inside_by_parity, (place, CUBE, ONE_TURNED), inside)
         middles = 5 * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)])
         cubes = np.concatenate([CUBE - 1 + middle for middle in middles])
         faces = np.concatenate([CUBE_FACES + 8 * k for k in range(7)])
@@ -252,7 +261,10 @@ def test_a_ray_crosses_the_surface_an_odd_number_of_times_from_inside(submission
             ([5, 0, 0], 0), ([0, 0, 5], 0),
         ):  # fmt: skip
             expect(submission.inside_by_parity, (place, OCTAHEDRON, EIGHT), inside)
-    with part(1, "a ray along a wall, and over the edge of a pocket"):
+    with part(1, "a ray along a wall, over the edge of a pocket, and hardly beside an edge"):
+        # Computed to lie under a slanted edge: in plain floats it may be on the same side of the edge in both faces.
+        for place, inside in (([0.4, 0.275, -0.75], 0), ([0.175, 0.575, -0.725], 0), ([0.3, 0.4, 0.7], 1)):
+            expect(submission.inside_by_parity, (place, TENTHS, SIDES), inside)
         for place, inside in (
             ([1, 0.5, 1], 1), ([0.5, 1, 1], 1), ([0.75, 0.75, 1], 1), ([1, 2, -1], 0), ([2, 1, -1], 0), ([1, 1, -1], 0),
             ([3, 3, -1], 0), ([3, 0.5, -1], 0), ([0.5, 3, -1], 0), ([0, 0.5, -1], 0), ([0.5, 0, -1], 0),

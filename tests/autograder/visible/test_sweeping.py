@@ -42,10 +42,12 @@ def test_a_ray_meets_the_sphere_where_it_first_comes_in(submission, part):
         expect(submission.ray_sphere, ([3.5, -5.5, -5], [-1, 3, 2], 3.0), 1.5)  # at (2, −1, −2)
         expect(submission.ray_sphere, ([-4, -0.5, 3], [4, -1, -2], 3.0), 0.5)  # at (−2, −1, 2)
         expect(submission.ray_sphere, ([2.5, 3.25, 6.75], [-0.125, -0.0625, -0.1875], 7.0), 4.0)  # at (2, 3, 6)
+        expect(submission.ray_sphere, ([5e-6, 4e-6, 2e-6], [-2e-6, -1e-6, 0], 3e-6), 2.0)  # a grain of dust
     with part(1, "past the sphere, and away from it"):
         expect(submission.ray_sphere, ([5, 4, 2], [-2, 1, 0], 3.0), INFINITY)
         expect(submission.ray_sphere, ([-6, 2, 2.5], [3, 0, 0], 3.0), INFINITY)
         expect(submission.ray_sphere, ([5, 4, 2], [2, 1, 0], 3.0), INFINITY)
+        expect(submission.ray_sphere, ([5e-6, 4e-6, 2e-6], [2e-6, 1e-6, 0], 3e-6), INFINITY)
         expect(submission.ray_sphere, ([-4, -0.5, 3], [-4, 1, 2], 3.0), INFINITY)
     with part(1, "it grazes the sphere, or almost does"):
         expect(submission.ray_sphere, ([-6, 0, 2], [3, 0, 0], 2.0), 2.0)
@@ -155,6 +157,8 @@ def test_a_ray_is_in_the_box_while_it_is_in_all_its_slabs(submission, part):
             ([0.5, 1, -5], [-1, 0.5, 4], (0.5, 1.5)), ([-0.5, 1, 7], [0.125, -1, -2], (2, 3)),
         ):  # fmt: skip
             expect(submission.ray_box, (x, u, HALF), times)
+        slow = 2.0**-60  # slower than any threshold below which a ray might be taken to stand still
+        expect(submission.ray_box, ([-4, -1, 2], slow * np.array([2, 1, -0.5]), HALF), (1.5 / slow, 2.5 / slow))
     with part(1, "along an axis: between the faces beside it, on one of them, and outside"):
         for x, u, times in (
             ([-3, 1, 2], [2, 0, 0], (1, 2)), ([0.5, 8, -1], [0, -2, 0], (3, 5)), ([-0.5, 1, -5], [0, 0, 1], (2, 8)),
@@ -224,6 +228,8 @@ def test_a_ray_meets_the_side_of_a_capsule_or_one_of_its_ends(submission, part):
         ):  # fmt: skip
             for time in (0.5, 2):
                 expect(submission.ray_capsule, (*ray_to(spot, along, time), A, B, 3.0), time)
+        for spot, along in (([6.75, 1, 0], [1, -1, 0]), ([-0.75, 1, 0], [-1, -1, 0])):  # it starts nearer the other end
+            expect(submission.ray_capsule, (*ray_to(spot, along, 4), A, B, 1.25), 4.0)
     with part(1, "past the side, past the ends, and away from it"):
         for spot, along in (
             ([3, 1.5, 0], [0.5, 0, 1]), ([7.375, 1, 0], [0, -1, 0]), ([7, -1, 0.75], [0.25, 1, 0]),
@@ -326,7 +332,9 @@ def test_the_next_look_comes_when_the_separation_may_be_used_up(submission, part
         high = (ARM, place(0, 4, 1), way(1, -1, 0.5), way(0, 0, -1), PLATE, 5.0)
         expect(submission.advance, (*high, 0.5, 12), (1.5742636, 3))
         expect(submission.advance, (*high, 0.4, 12), (1.7161798, 4))
-    with part(1, "hulls that touch or overlap now; too few looks"):
+    with part(1, "hulls that touch or overlap now; just enough looks, and too few"):
+        expect(submission.advance, ([REST], [0, 5, 0], [0, -1, 0], REST, [REST], 2.0, 0.1, 1), (INFINITY, 1))
+        expect(submission.advance, (ARM, place(1, 1, 2), REST, way(0, 0, -1), PLATE, 0.51, 0.01, 2), (INFINITY, 2))
         spins, turns = way(0, 3, 0), way(1, 2, 3)
         expect(submission.advance, (TRIPOD, place(1, 0.5, -1), spins, turns, PLATE, 5.0, 0.01, 12), (0, 1))
         expect(submission.advance, (TRIPOD, place(1, 1.2, -1), spins, turns, PLATE, 5.0, 0.25, 1), (0, 1))

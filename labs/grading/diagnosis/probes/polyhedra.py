@@ -74,6 +74,7 @@ def _planes() -> list[Probe]:
         edge("a plane through the origin", [[0, 0, 0], [2, 0, 1], [0, 3, 1]], triangle),
         edge("a large face", 1e6 * TETRAHEDRON, SIDES[:1]),
         edge("a small face", 1e-3 * TETRAHEDRON, SIDES[1:]),
+        edge("a face of micrometres", 1e-6 * TETRAHEDRON, SIDES[1:]),
         edge("a long and thin face", [[0, 0, 0], [100, 0, 0], [50, 0.01, 0]], triangle),
         refused("a face without area", [[0, 0, 0], [1, 2, 3], [2, 4, 6]], triangle),
         refused("a face of a vertex that is not there", lying, np.array([[0, 1, 4]])),
@@ -143,6 +144,7 @@ def _triangle() -> list[Probe]:
         edge("hardly into the triangle", *_through([0.25, 0.5, 0.25], 0.999, down)),
         edge("from just before the triangle", *_through([0.25, 0.5, 0.25], 0.001, down)),
         edge("all a thousand times smaller", *(0.001 * part for part in _through([0.5, 0.125, 0.375], 0.5, down))),
+        edge("all in micrometres", *(1e-6 * part for part in _through([0.25, 0.5, 0.25], 0.25, down))),
         edge("close to a side, within", *_through([0.001, 0.5, 0.499], 0.5, down)),
         edge("close to a side, beyond", *_through([-0.001, 0.5, 0.501], 0.5, down)),
         refused("a triangle without area", [1, 1, 1], [1, 1, -1], [[0, 0, 0], [1, 2, 0], [2, 4, 0]]),
@@ -211,6 +213,8 @@ def _parity() -> list[Probe]:
         for aside in ([5, 0, 0], [0, 0, 5])
     )
     tip = np.array([[0.0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, 3]])
+    one_turned = np.array([[0, 3, 1], *CUBE_FACES[1:].tolist()])
+    tenths = np.array([[0.1, 0.2, 0.3], [1.3, 0.5, 0.1], [0.4, 1.7, 0.2], [0.7, 0.8, 1.9]])
     nested = np.concatenate([CUBE, 3 * CUBE + 0.125]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
     by_hand = [
         usual("in the arm of an L", _turned([2.6, 0.3, 1.1]), L_TURNED, L_FACES),
@@ -231,6 +235,8 @@ def _parity() -> list[Probe]:
         usual("in a hollow", [0.25, 0.125, 0.375], *nested),
         usual("in the wall of a hollow solid", [1.75, 0.125, 0.375], *nested),
         usual("in a solid turned inside out", [0.3, 0.6, 0.7], L_SOLID, L_FACES[:, ::-1]),
+        usual("in a cube with one face turned over", [-0.9, -0.3, 0.3], CUBE, one_turned),
+        usual("beside a cube with one face turned over", [-1.1, -0.3, 0.3], CUBE, one_turned),
         usual("in a cube of two kilometres", [300, 125, -250], 1000 * CUBE, CUBE_FACES),
         usual("in a cube of two millimetres", [0.0003, 0.00025, -0.0005], 0.001 * CUBE, CUBE_FACES),
         edge("in the middle of a cube: the diagonals of its sides", [0, 0, 0], CUBE, CUBE_FACES),
@@ -243,6 +249,9 @@ def _parity() -> list[Probe]:
         edge("below a corner of an octahedron", [0, 0, -5], OCTAHEDRON, EIGHT),
         edge("below its widest corner, which a ray only touches", [3, 0, -5], OCTAHEDRON, EIGHT),
         edge("below its widest edge, which a ray only touches", [1, 2, -5], OCTAHEDRON, EIGHT),
+        edge("below the first edge of a tetrahedron, as far as floats can tell", [0.4, 0.275, -0.75], tenths, SIDES),
+        edge("below another edge of it", [0.175, 0.575, -0.725], tenths, SIDES),
+        edge("in it, below a third edge", [0.3, 0.4, 0.7], tenths, SIDES),
         edge("a wall above, along the ray", [1, 2, -1], L_SOLID, L_FACES),
         edge("in an L, on the level of its edges", [0.5, 1, 1], L_SOLID, L_FACES),
         edge("in the pocket, beyond an edge of the L", [3, 2, 1], L_SOLID, L_FACES),

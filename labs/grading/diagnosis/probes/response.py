@@ -172,6 +172,7 @@ def _step_limit() -> list[Probe]:
         usual("heavy", 50.0, 200.0, 10.0),
         edge("far more damping than anything else", 1.0, 1.0, 1e4),
         edge("so much damping that a difference has no digits left", 1.0, 100.0, 1e10),
+        edge("so much damping that a difference has one digit left", 1.0, 100.0, 3e8),
         refused("no mass", 0.0, 100.0, 0.0),
         refused("a negative damping", 1.0, 100.0, -1.0),
     ]

@@ -10,8 +10,9 @@ from submissions import checked, joined, sheet_of
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader
-from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.probes.probe import Draw
+from labs.grading.diagnosis.deviations import Answer, Right
+from labs.grading.diagnosis.findings import Counterexample, Diagnosis
+from labs.grading.diagnosis.probes.probe import Draw, usual
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback import report
@@ -126,6 +127,16 @@ def test_a_hint_is_given_if_a_number_is_wrong_in_an_unknown_way():
     text = joined("\n".join(report.report(Sheet(outcomes=[outcome], diagnoses={"collide": limits}), ["impulse"])))
     assert "Right in the usual cases, not yet in limiting ones." in text
     assert "Hint" not in text
+
+
+def test_an_error_on_other_input_is_shown_with_the_call_that_ends_in_it():
+    right = Right((np.array(1.0),), (1.0,))
+    example = Counterexample("collide", usual("", 2.0), ("speed",), Answer(error="ZeroDivisionError"), right)
+    found = Diagnosis("collide", "crashes", counterexample=example, crashes=("ZeroDivisionError",), limits_alone=True)
+    for said, shown in (("f(1)\ngives   2\nphysics 3", 1), ("raised ZeroDivisionError", 0)):
+        outcome = Outcome("test_x", 1, False, said=said, function="collide")
+        text = "\n".join(report.report(Sheet(outcomes=[outcome], diagnoses={"collide": found}), ["impulse"]))
+        assert text.count("collide(speed=2)") == shown
 
 
 def turned_back(inertia, orientation):
