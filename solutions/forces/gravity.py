@@ -91,7 +91,9 @@ def universal_gravity(
     ----------
     mass_1, mass_2 : (...), m1 and m2, kg, not negative and finite
     position_1, position_2 : (..., 3), x1 and x2, m
-    softening : (...), ε, m, not negative; with 0 the bodies are points
+    softening : (...), ε, m, not negative
+        At the distance d the energy of the two bodies is −G m1 m2/√(d² + ε²), which
+        keeps the force finite when they come close. With 0 they are points.
 
     Returns
     -------
@@ -109,8 +111,8 @@ def universal_gravity(
     -----
     The slide gives the size of the force, G m1 m2/r². The force on body 1 points to
     body 2, which is the direction of d = x2 − x1, and d/‖d‖³ has both this direction
-    and the size 1/r². A softening length ε keeps the force finite when the bodies come
-    close:
+    and the size 1/r². With a softening length ε the size is the slope of the energy,
+    which is that of `universal_gravity_energy`:
 
         F = G m1 m2 d/(‖d‖² + ε²)^(3/2),    d = x2 − x1
     """

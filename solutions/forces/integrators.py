@@ -54,26 +54,28 @@ def explicit_euler(
 ) -> tuple[Array, Array]:
     """State after one step of explicit Euler.
 
-    Everything is taken as it was at the start of the step: the old velocity moves the
-    position, and the old acceleration changes the velocity. The method is of first
+    Everything is taken as it was at the start of the step. The method is of first
     order.
 
     Parameters
     ----------
     position : (..., 3), p, m
     velocity : (..., 3), v, m/s
-    acceleration : (..., 3), a, m/s², or a function of position and velocity
+    acceleration : (..., 3), a, at the start of the step, m/s²
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each, m, m/s
+    position, velocity : (..., 3) each, at the end of the step, m, m/s
 
     Notes
     -----
     The step is
 
         p' = p + v dt,    v' = v + a dt
+
+    Like the integrators that need it at other places as well, this one also takes the
+    acceleration as a function of position and velocity.
 
     An undamped spring gains energy in every step, however short. With a = −ω² p, put
     the step into the energy: ω² p'² + v'² is (1 + ω² dt²) times ω² p² + v², because the
