@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.diagnosis.misconceptions import Misconception as M
-from labs.grading.diagnosis.misconceptions import col, direction, dot, formulas_of, over, size
+from labs.grading.diagnosis.misconceptions import col, direction, dot, flat, formulas_of, over, size
 
 FORCES = formulas_of("forces")
 
@@ -110,6 +110,22 @@ def all_on_one(x, v, m, r, g, viscosity, stream, ends, k, rest, c):
     return found
 
 
+def one_assignment(x, v, m, r, g, viscosity, stream, ends, k, rest, c):
+    """Without a loop, and with indices that come more than once."""
+    x, v = np.asarray(x, dtype=float), np.asarray(v, dtype=float)
+    found = total(used=lambda ends: ends[:0])(x, v, m, r, g, viscosity, stream, ends, k, rest, c)
+    a, b = np.asarray(ends).T
+    pulls = spring()(x[a], x[b], v[a], v[b], k, rest, c)
+    found[a] += pulls
+    found[b] -= pulls
+    return found
+
+
+def same_numbers(x, v, m, r, g, viscosity, stream, ends, k, rest, c):
+    first = (np.full(len(ends), each[0]) if len(ends) else each for each in (k, rest, c))
+    return total()(x, v, m, r, g, viscosity, stream, ends, *first)
+
+
 # fmt: off
 BANK = (
     M("spring_damper_force", "spring pushes", spring(pull=lambda k, length, rest: k * (length - rest)),
@@ -145,6 +161,17 @@ BANK = (
     M("spring_damper_force", "vector times stretch", vector_times_stretch,
       "The stretch is multiplied with the whole vector between the ends, and not with the unit vector.",
       "How long is the vector that gives your force its direction?"),
+    M("spring_damper_force", "whole vector for the direction", spring(way=lambda d: d),
+      "The vector between the ends is used as if it had the length 1, in the spring and twice in the damper.",
+      "How long is the vector that gives your force its direction?"),
+    M("spring_damper_force", "whole vector for both", lambda x1, x2, v1, v2, k, rest, c: size(
+        np.asarray(x1, dtype=float) - x2) * spring()(x1, x2, v1, v2, k, rest, c),
+      "The force is multiplied with the whole vector between the ends, and not with the unit vector.",
+      "How long is the vector that gives your force its direction?"),
+    M("spring_damper_force", "rate from the whole vector", lambda x1, x2, v1, v2, k, rest, c: spring()(
+        x1, x2, v1, v2, k, rest, np.asarray(c, dtype=float) * flat(size(np.asarray(x1, dtype=float) - x2))),
+      "The rate at which the length changes is the product with the unit vector. Yours is too large by the length.",
+      "The ends part with 1 m/s, straight away from each other. How fast does the length change?"),
     M("spring_damper_force", "rest length from each component", rest_along_x,
       "The rest length is taken away from each component. It belongs to the length of the spring.",
       "A spring of length 1 m along x is at rest. Which force along y does your function give?"),
@@ -182,6 +209,12 @@ BANK = (
     M("spring_damper_force", "size of the rate", spring(damper=lambda c, w, u: -c * size(w) * u),
       "The damper takes the size of the relative velocity for the rate at which the length changes. It pulls the ends"
       " together even where they approach.",
+      "The ends approach each other. Which way should the damper push?"),
+    M("spring_damper_force", "always pushes", spring(damper=lambda c, w, u: c * np.abs(dot(w, u)) * u),
+      "The size of the rate is taken, so that the damper pushes the ends apart whether they part or approach.",
+      "The ends part. Which way should the damper push or pull?"),
+    M("spring_damper_force", "always pulls", spring(damper=lambda c, w, u: -c * np.abs(dot(w, u)) * u),
+      "The size of the rate is taken, so that the damper pulls the ends together whether they part or approach.",
       "The ends approach each other. Which way should the damper push?"),
     M("spring_damper_force", "difference of the speeds", lambda x1, x2, v1, v2, k, rest, c: spring(
         damper=lambda c, w, u: 0 * w)(x1, x2, v1, v2, k, rest, c) - col(c) * (size(v1) - size(v2)) * direction(
@@ -245,6 +278,17 @@ BANK = (
       limits(semi=lambda w, z, c, k, m: 2 * (np.sqrt(1 + 4 * z * z) - 2 * z) / w),
       "The damping ratio is twice too large: it is c/(2√(k m)).",
       "At which c does the motion of a damped spring stop swinging?"),
+    M("spring_step_limit", "damping ratio without the 2", lambda k, m, c: limits()(k, m, 2 * np.asarray(c)),
+      "The damping ratio is twice too large in both limits: it is c/(2√(k m)).",
+      "At which c does the motion of a damped spring stop swinging?"),
+    M("spring_step_limit", "ω² for ω in both", lambda k, m, c: tuple(
+        each * np.sqrt(np.asarray(m, dtype=float) / k) for each in limits()(k, m, c)),
+      "ω² = k/m is taken for ω.",
+      "Which unit has your limit?"),
+    M("spring_step_limit", "each from one half", limits(lambda w, z, c, k, m: c / k, lambda w, z, c, k, m: 2 / w),
+      "The limit of explicit Euler is that of a motion that swings, and that of semi-implicit Euler is that of a spring"
+      " without a damper.",
+      "Make the damper very strong. Which of your two limits changes, and in which direction?"),
     M("total_force", "second end pulled alike", total(second=1.0),
       "Both ends of a spring are pulled with the same force. By Newton's third law the second one gets the opposite.",
       "A stretched spring pulls its ends together. Which way is each of them pulled?"),
@@ -257,6 +301,17 @@ BANK = (
     M("total_force", "last spring only", total(adds=False),
       "Where a ball has several springs, only the last one counts: the others are overwritten.",
       "A ball hangs on two springs. How many of them pull it in your function?"),
+    M("total_force", "several springs in one assignment", one_assignment,
+      "All springs are added in one assignment, F[ends] += pulls. NumPy keeps only the last pull for a ball"
+      " that is named"
+      " several times, without an error.",
+      "A ball is the first end of two springs. How many of them pull it in your function?"),
+    M("total_force", "numbers of the first spring", same_numbers,
+      "All springs have the stiffness, the rest length and the damping of the first one.",
+      "Which index do the numbers of a spring have in your loop?"),
+    M("total_force", "accelerations", lambda *given: total()(*given) / np.asarray(given[2], dtype=float)[:, None],
+      "The function returns accelerations: the forces are divided by the masses.",
+      "Which unit does the description give for the result?"),
     M("total_force", "weights left out", total(weight=lambda m, g: 0 * m * g),
       "The weights are missing.",
       "Which argument makes no difference to your answer?"),

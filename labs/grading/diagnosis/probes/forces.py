@@ -49,6 +49,7 @@ def _gravity() -> list[Probe]:
         usual("softened", 3.0, HEAVY, HERE, THERE, 2.0),
         usual("softened by more than they are apart", 3.0, HEAVY, [0, 0, 1], [0, 0.5, 1], 4.0),
         usual("a softening without effect", 3.0, HEAVY, HERE, [30, 10, 10], 0.01),
+        usual("grains of dust", 3e-9, 2e-9, [2e-6, 0, 1e-6], [0, 1e-6, 3e-6], 0.0),
         edge("softening left out", 3.0, HEAVY, HERE, THERE),
         edge("at the same place", 3.0, HEAVY, HERE, HERE, 0.0),
         edge("at the same place, softened", 3.0, HEAVY, HERE, HERE, 2.0),
