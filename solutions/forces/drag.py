@@ -17,8 +17,8 @@ def stokes_drag(
 ) -> Array:
     """Drag of a thick fluid on a ball that moves slowly through it (slide 26).
 
-    The drag is proportional to the velocity of the ball relative to the fluid. This
-    holds only for a Reynolds number far below 1, see `reynolds_number`.
+    The drag is proportional to the velocity of the ball relative to the fluid.
+    This holds only for a Reynolds number far below 1, see `reynolds_number`.
 
     Parameters
     ----------
@@ -44,10 +44,11 @@ def stokes_drag(
 
         F = −6πr η (v − u)
 
-    The slide writes −K n v, with K = 6πr for a sphere. Its n is the viscosity η. Its v
-    must be the velocity relative to the fluid, v − u; otherwise a ball that drifts
-    along with a river would be braked. `sphere_shape_factor` has the K of a sphere, and
-    `spheroid_drag` the drag of longer and flatter bodies.
+    The slide writes −K n v, with K = 6πr for a sphere. Its n is the viscosity
+    η. Its v must be the velocity relative to the fluid, v − u; otherwise a
+    ball that drifts along with a river would be braked. `sphere_shape_factor`
+    has the K of a sphere, and `spheroid_drag` the drag of longer and flatter
+    bodies.
     """
     relative = vector("velocity", velocity) - vector("fluid_velocity", fluid_velocity)
     size = 6 * np.pi * not_negative("radius", radius) * not_negative("viscosity", viscosity)

@@ -16,10 +16,10 @@ def spring_step_limit(
     mass: ArrayLike,
     damping: ArrayLike,
 ) -> tuple[Array, Array]:
-    """Largest stable steps of the two Eulers for a mass on a damped spring (slide 29).
+    """Largest stable steps of both Eulers for a mass on a damped spring.
 
-    Both take the forces of the spring and of the damper as they are at the start of the
-    step. Beyond its limit the motion grows without end.
+    Both take the forces of the spring and of the damper as they are at the
+    start of the step. Beyond its limit the motion grows without end.
 
     Parameters
     ----------
@@ -35,30 +35,32 @@ def spring_step_limit(
     Raises
     ------
     ValueError
-        If stiffness or mass is not positive and finite, or damping is negative or not
-        finite.
+        If stiffness or mass is not positive and finite, or damping is negative
+        or not finite.
 
     Notes
     -----
-    A step makes new numbers of the position and the velocity by a matrix. Its trace T
-    and its determinant D decide: the motion stays bounded as long as ‖T‖ ≤ 1 + D and
-    D ≤ 1. With K = k dt²/m and C = c dt/m, both Eulers have the trace 2 − C or less:
+    A step makes new numbers of the position and the velocity by a matrix. Its
+    trace T and its determinant D decide: the motion stays bounded as long as
+    ‖T‖ ≤ 1 + D and D ≤ 1. With K = k dt²/m and C = c dt/m, both Eulers have
+    the trace 2 − C or less:
 
         explicit         T = 2 − C        D = 1 − C + K
         semi-implicit    T = 2 − C − K    D = 1 − C
 
-    For semi-implicit Euler the condition −T ≤ 1 + D is K + 2 C ≤ 4. This is a quadratic
-    in dt, with the root
+    For semi-implicit Euler the condition −T ≤ 1 + D is K + 2 C ≤ 4. This is a
+    quadratic in dt, with the root
 
         dt = 4 m/(c + √(c² + 4 k m))
 
-    For explicit Euler there are two conditions. D ≤ 1 is dt ≤ c/k, and −T ≤ 1 + D is
-    2 C − K ≤ 4. The second decides where c² > 4 k m, when the motion does not swing:
+    For explicit Euler there are two conditions. D ≤ 1 is dt ≤ c/k, and −T ≤ 1
+    + D is 2 C − K ≤ 4. The second decides where c² > 4 k m, when the motion
+    does not swing:
 
         dt = c/k underdamped,    dt = 4 m/(c + √(c² − 4 k m)) overdamped
 
-    `stable_step` has the same limits in units of the frequency, and those of other
-    integrators.
+    `stable_step` has the same limits in units of the frequency, and those of
+    other integrators.
     """
     k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
     c = finite("damping", not_negative("damping", damping))

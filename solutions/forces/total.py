@@ -27,8 +27,8 @@ def total_force(
 ) -> Array:
     """Sum of all forces on each ball of a scene (slide 30).
 
-    N balls have their weights, a fluid drags each of them, and S springs with dampers
-    join pairs of them.
+    N balls have their weights, a fluid drags each of them, and S springs with
+    dampers join pairs of them.
 
     Parameters
     ----------
@@ -39,7 +39,9 @@ def total_force(
     fluid_velocity : (N, 3), of the fluid at each ball, or (3,) everywhere, m/s
     ends : (S, 2), whole numbers, the two balls that each spring joins, from 0
         A ball may be at the end of any number of springs, or of none.
-    stiffness, rest_length, damping : (S,), k, L0 and k_d, of each spring, N/m, m, N s/m
+    stiffness : (S,), k, of each spring, N/m
+    rest_length : (S,), L0, m
+    damping : (S,), k_d, N s/m
 
     Returns
     -------
@@ -49,18 +51,19 @@ def total_force(
     Raises
     ------
     ValueError
-        If ends does not have the shape (S, 2) or names a ball that there is not, or as
-        `stokes_drag`, `spring_damper_force` and `uniform_gravity`.
+        If ends does not have the shape (S, 2) or names a ball that there is
+        not, or as `stokes_drag`, `spring_damper_force` and `uniform_gravity`.
 
     Notes
     -----
-    Forces add. Each ball has its weight and the drag of the fluid. A spring pulls its
-    first end with the force F of `spring_damper_force`, and its second end with −F, by
-    Newton's third law. So springs and dampers add nothing to the total momentum of a
-    scene, and the sum over all balls is that of the weights and the drags alone.
+    Forces add. Each ball has its weight and the drag of the fluid. A spring
+    pulls its first end with the force F of `spring_damper_force`, and its
+    second end with −F, by Newton's third law. So springs and dampers add
+    nothing to the total momentum of a scene, and the sum over all balls is
+    that of the weights and the drags alone.
 
-    The springs are taken one after the other. `mesh_forces` of the lab on meshes takes
-    them all at once, for which adding needs care.
+    The springs are taken one after the other. `mesh_forces` of the lab on
+    meshes takes them all at once, for which adding needs care.
     """
     x, v, pairs = vector("position", position), vector("velocity", velocity), np.asarray(ends)
     if pairs.ndim != 2 or pairs.shape[-1] != 2 or np.any(pairs < 0) or np.any(pairs >= len(x)):

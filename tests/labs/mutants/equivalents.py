@@ -448,9 +448,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
     },
     "explicit_euler": {
-        NOT_NEGATIVE: ("in _state: size for it: …, np.abs(dt[..., None]))",),
+        NOT_NEGATIVE: ("in _state: size for it: …, np.abs(time))",),
         "Students get the acceleration as numbers, not as a function.": (
-            "in _at: branch dropped: acceleration(position, velocity) if callable(acceleration) else … → acceleration",
+            "in _at: size for it: acceleration(position, velocity) → np.abs(acceleration(position, velocity))",
         ),
     },
     "universal_gravity": {
