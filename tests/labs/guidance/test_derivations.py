@@ -51,6 +51,12 @@ ONE_SIGN = {
         time_of_impact_interpolated.s1""",
     "a separation below zero counts as zero": "time_of_impact_exact.s",
     "what moves away and is pushed away never arrives": "time_of_impact_exact.u",
+    "what falls, drags or attracts has a mass, a size and a density": """universal_gravity.G universal_gravity.m_1
+        universal_gravity.m_2 universal_gravity.d stokes_drag.m stokes_drag.K stokes_drag.eta terminal_velocity.s
+        terminal_velocity.f terminal_velocity.eta wind_force.m wind_force.g wind_force.rho wind_force.C wind_force.A""",
+    "it is a stiffness, a damping, a frequency or a damping ratio": """spring_damper_force.k spring_damper_force.c
+        spring_damper_force.m spring_step_limit.w spring_step_limit.z total_force.a total_force.b""",
+    "the three balls lie in this order": "total_force.x_1 total_force.x_3",
 }
 """Quantities that can have one sign only: there a line may hold q or abs(q). Beside them, why."""
 

@@ -447,6 +447,44 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
         "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
     },
+    "explicit_euler": {
+        NOT_NEGATIVE: ("in _state: size for it: …, np.abs(time))",),
+        "Students get the acceleration as numbers, not as a function.": (
+            "in _at: size for it: acceleration(position, velocity) → np.abs(acceleration(position, velocity))",
+        ),
+    },
+    "universal_gravity": {
+        "Only its square is used.": ("softening: sign flipped",),
+        ORDER: ("in _masses: results swapped: (mass_1, mass_2) → (mass_2, mass_1)",),
+        NOT_NEGATIVE: ("in _apart: size for it: (d, …) → (d, …", "in _masses: size for it: …"),
+    },
+    "spring_force": {NOT_NEGATIVE: ("size for it: length - rest_length → …",)},
+    "_line": {
+        NOT_NEGATIVE: ("size for it: (length, …) → (np.abs(length), …",),
+        "Without a length the vector is zero, whatever it is divided by.": (
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+    },
+    "spring_step_limit": {
+        FIRST_OF_BOTH: ("boundary: squared > critical → squared >= critical",),
+        "The root is used only where the motion does not swing.": (
+            "branch dropped: np.where(overdamped, squared - critical, 0.0) → shaped(squared - critical, overdamped)",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "terminal_velocity": {
+        "Only its square is used.": ("radius: sign flipped",),
+        NOT_NEGATIVE: ("size for it: rho - fluid_density → …",),
+    },
+    "total_force": {
+        NOT_NEGATIVE: tuple(
+            f"{name}: size for it" for name in ("mass", "radius", "stiffness", "rest_length", "damping")
+        ),
+        "A spring pulls both of its ends, whichever is the first.": (
+            "results swapped: (pairs[:, 0], pairs[:, 1]) → (pairs[:, 1], pairs[:, 0])",
+        ),
+    },
 }
 
 
