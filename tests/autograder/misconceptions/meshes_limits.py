@@ -239,7 +239,8 @@ BANK = (
       "The dampers make the step longer, because the sign of one of the two c is wrong.",
       "Solve dt² k + 2 dt c = 4 for dt with a very large c. What comes out?"),
     M("timestep_bound", "half of the dampers", bound(lambda k, c: step(k, c / 2)),
-      "The ends of a damper part twice as fast as the node moves, as those of a spring do. This is in k and not in c.",
+      "The dampers count half. The ends of a damper part twice as fast as the node moves, and after a step that turns"
+      " the position over, the velocity is 2 x/dt.",
       "A node moves with v and its neighbour with −v. How fast does the damper between them change its length?"),
     M("timestep_bound", "two limits", bound(separate_limits),
       "The limits of the springs and of the dampers are found separately, and the shorter one is taken. Together they"

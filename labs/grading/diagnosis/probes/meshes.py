@@ -74,6 +74,8 @@ def _forces() -> list[Probe]:
         usual("one node is pinned", net(LOOP, 2, 4, 1, [1, 2, 3, 4], [1]), FOUR, moving),
         edge("all springs are at rest and nothing moves", net(SPRING, 7, 7, 2, [1, 3]), SLANTED, STILL),
         edge("both ends at one place", net(SPRING, 1, 10, 2, [1, 1]), [[1, 2, 3]] * 2, [[1, 0, 0], REST]),
+        edge("both ends almost at one place", net(SPRING, 1, 10, 2, [1, 1]), [[1, 2, 3], [1, 2, 3.001]],
+             [[1, 0, 2], REST]),
         edge("one spring of three has no length", net(STAR, 1, 5, 1, [1] * 4), [FOUR[1], *FOUR[1:]], moving),
         edge("a rest length of zero", net(SPRING, 0, 10, 2, [1, 1]), TWO, [[1, 0, 0], REST]),
         edge("no springs", net([], 1, 1, 1, [1, 2]), TWO, STILL),
