@@ -17,6 +17,7 @@ import numpy as np
 from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.submission.cells import read_cells
 from labs.grading.submission.magics import without_magics
+from labs.grading.worker.bodies import SpringMesh
 from reference import lecture
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, UnknownName
@@ -156,11 +157,15 @@ def _count(value: Any) -> int:
 
 
 def _as_checks_give(value: Any) -> Any:
-    """An input as the checks of a lab give it: a list as an array, unless its parts differ in shape."""
+    """An input as the checks of a lab give it: a list as an array, unless its parts differ in shape; a mesh by name."""
     if not isinstance(value, list | tuple):
         return value
     with contextlib.suppress(ValueError):  # as of a body, with its velocity and its mass
         return np.array(value)
+    if len(value) == len(SpringMesh._fields):
+        edges, *springs, mass, pinned = value
+        numbers = (np.array(each, dtype=float) for each in (*springs, mass))
+        return SpringMesh(np.array(edges, dtype=int), *numbers, np.array(pinned, dtype=bool))
     return value
 
 
