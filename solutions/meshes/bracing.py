@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans
 from solutions.meshes.mesh import checked_edges, lengths
 
-ROUNDING = 1e-6
+TINY = 1e-6
 """Share of the largest singular value below which another one counts as zero.
 
 Directions in single precision have errors of some 1e-7.
@@ -80,4 +80,4 @@ def _rows(position: Array, edges: ArrayLike) -> Array:
 
 
 def _rank(rows: Array) -> int:
-    return int(np.linalg.matrix_rank(rows, rtol=ROUNDING)) if rows.size else 0
+    return int(np.linalg.matrix_rank(rows, rtol=TINY)) if rows.size else 0

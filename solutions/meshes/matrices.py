@@ -46,12 +46,12 @@ def edge_stiffness(
 
     Notes
     -----
-    The force on end 1 is −k (L − L0) u. A small displacement d changes the
-    length by u·d and turns the direction by (I − u uᵀ) d/L, which is the part
-    of d across the edge divided by the length. By the product rule the force
-    changes by
+    The spring pulls end 1 along −u with the tension t = k (L − L0). A small
+    displacement d changes the length by u·d and turns the direction by
+    (I − u uᵀ) d/L, which is the part of d across the edge divided by the
+    length. By the product rule the force changes by
 
-        −k (u·d) u − k (L − L0)/L (I − u uᵀ) d
+        −k (u·d) u − (t/L) (I − u uᵀ) d
 
     and comparing this with −K d gives
 

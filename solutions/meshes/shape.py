@@ -12,7 +12,7 @@ from solutions.checks import not_negative
 from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
 from solutions.meshes.springs import finite_vectors, mesh_forces, node_vectors
 
-ROUNDING = 1e-12
+SLACK = 1e-12
 """The share of a length that counts as rounding."""
 
 
@@ -90,7 +90,7 @@ def _fit(
         for (one, other), longest, share in springs:
             between = p[one] - p[other]
             length = math.hypot(*between)
-            if length > longest * (1 + ROUNDING):
+            if length > longest * (1 + SLACK):
                 excess = (1 - longest / length) * between
                 p[one] -= share * excess
                 p[other] += (1 - share) * excess

@@ -134,11 +134,13 @@ def test_a_step_moves_the_nodes_with_their_new_velocities(submission, part):
         given = damped, at, moving, ways([1, -2, 3])[0], 0.25
         expect(submission.mesh_step, given, (at + 0.25 * after, after))
         refuse_changes(submission.mesh_step)
-    with part(1, "pinned nodes stay, also if they are given a velocity; immovable ones; no springs"):
+    with part(1, "pinned nodes stay, also if they are thrown; immovable ones; ends at one place; no springs"):
         pins = mesh(EDGES, LENGTHS, STIFF, DAMPED, MASSES, [1, 3])
         after = ways([1, 2, 0], REST, [0, 3, 0], REST) + 0.25 * ways([2.6, -1, 1.8], REST, [3.55, -5.9, 3], REST)
         for thrown in (ways([1, 2, 0], REST, [0, 3, 0], REST), ways([1, 2, 0], [9, 9, 9], [0, 3, 0], [-1, 5, 2])):
             expect(submission.mesh_step, (pins, at, thrown, ways([1, -2, 3])[0], 0.25), (at + 0.25 * after, after))
+        together = mesh([[0, 1]], 2, 4, 3, [1, 2]), places(REST, REST), ways([1, 0, 2], REST)
+        expect(submission.mesh_step, (*together, REST, 0.5), (places([0.5, 0, 1], REST), ways([1, 0, 2], REST)))
         immovable = mesh([[0, 1]], 2, 4, 0, [INFINITY, 2], [0]), places(REST, [2, -1, 2]), np.zeros((2, 3))
         expect(submission.mesh_step, (*immovable, REST, 0.5),
                (places(REST, [5 / 3, -5 / 6, 5 / 3]), ways(REST, [-2 / 3, 1 / 3, -2 / 3])))  # fmt: skip

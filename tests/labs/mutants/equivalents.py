@@ -473,6 +473,13 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
         NOT_NEGATIVE: ("size for it: …",),
     },
+    "edge_directions": {
+        "An edge without a length has no vector to be divided.": (
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: (between / …",),
+    },
     "diagonals": {
         "Mirrored, the same springs are needed.": ("position: sign flipped",),
         "A row that raises no rank may be kept: it raises none later either.": (
@@ -483,7 +490,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "_rank": {
         "Newer versions of NumPy know that no rows have the rank 0.": (
-            "branch dropped: int(np.linalg.matrix_rank(rows, rtol=ROUNDING)) if rows.size else 0 → int(…",
+            "branch dropped: int(np.linalg.matrix_rank(rows, rtol=TINY)) if rows.size else 0 → int(…",
         ),
     },
     "_rows": {
@@ -554,11 +561,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "_fit": {
         "It only keeps rounding from going on for ever.": (
-            "boundary: length > longest * (1 + ROUNDING) → length >= longest * (1 + ROUNDING)",
-            "factor forgotten: longest * (1 + ROUNDING) → longest",
-            "ratio for product: longest * (1 + ROUNDING) → longest / (1 + ROUNDING)",
-            "term dropped: 1 + ROUNDING → 1",
-            "sign flipped: 1 + ROUNDING → 1 - ROUNDING",
+            "boundary: length > longest * (1 + SLACK) → length >= longest * (1 + SLACK)",
+            "factor forgotten: longest * (1 + SLACK) → longest",
+            "ratio for product: longest * (1 + SLACK) → longest / (1 + SLACK)",
+            "term dropped: 1 + SLACK → 1",
+            "sign flipped: 1 + SLACK → 1 - SLACK",
         ),
         NOT_NEGATIVE: ("size for it: …",),
     },
