@@ -77,7 +77,7 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         If it is no single case, or one of the two functions refuses it: then it says nothing about the mistake.
     """
     _check_size(arguments)
-    given_to_both = [_as_checks_give(each) for each in arguments]
+    given_to_both = _with_floats([_as_checks_give(each) for each in arguments])
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
@@ -167,6 +167,13 @@ def _as_checks_give(value: Any) -> Any:
         numbers = (np.array(each, dtype=float) for each in (*springs, mass))
         return SpringMesh(np.array(edges, dtype=int), *numbers, np.array(pinned, dtype=bool))
     return value
+
+
+def _with_floats(arguments: list[Any]) -> list[Any]:
+    """The arguments of a call; beside a mesh, which holds all whole numbers, arrays are of floats."""
+    if not any(isinstance(each, SpringMesh) for each in arguments):
+        return arguments
+    return [each.astype(float) if isinstance(each, np.ndarray) else each for each in arguments]
 
 
 def _flat(answer: Any) -> np.ndarray[Any, Any]:
