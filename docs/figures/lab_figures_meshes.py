@@ -14,13 +14,12 @@ INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c
 
 
 def spring(figure: Figure) -> None:
-    """A stretched spring between two nodes, with u, its length at rest, and the forces on both ends.
+    """A stretched spring between two nodes, with its length, its length at rest, and the unit vector u.
 
     Two nodes with a spring between them, drawn as a zigzag of the length L. The unit vector u at end 1 points from end
-    2 to end 1. Below is the shorter length at rest, L_0. The force on end 1 points back to end 2, against u, and the
-    force on end 2 points to end 1 and is as long.
+    2 to end 1, away from the spring. Above is the shorter length at rest, L_0.
     """
-    axes = _board(figure, (-3.3, 3.3), (-1.25, 1.25))
+    axes = _board(figure, (-3.3, 3.3), (-1.0, 1.45))
     second, first = np.array([-2.1, -0.2]), np.array([1.9, 0.35])
     along = (first - second) / np.linalg.norm(first - second)
     _zigzag(axes, second, first)
@@ -28,9 +27,6 @@ def spring(figure: Figure) -> None:
         axes.plot(*place, "o", color=INK, markersize=11, zorder=6)
         axes.annotate(name, _xy(place), beside, textcoords="offset points", ha="center", va="center")
     _arrow(axes, first, 0.95 * along, INK, "$u$", at=0.75, beside=(2, -13))
-    below = np.array([0.0, -0.42])
-    for start, force, name in ((first, -1.1 * along, "$F$ on end 1"), (second, 1.1 * along, "$-F$ on end 2")):
-        _arrow(axes, start + below, force, ORANGE, name, at=0.55, beside=(0, -14))
     _length(axes, second + np.array([-0.07, 0.5]), second + 2.6 * along + np.array([-0.07, 0.5]), "$L_0$ at rest")
     _length(axes, second + np.array([-0.12, 0.85]), first + np.array([-0.12, 0.85]), "$L$")
 

@@ -31,8 +31,8 @@ def zero_energy_modes(
     """Number of independent small motions that cost no energy.
 
     A free body that keeps its shape has six of them, its rigid motions. Each
-    further one is a way to collapse. A cube of edges alone has twelve; its
-    internal springs leave six (slide 28).
+    further one is a way to collapse, which internal springs have to forbid
+    (slide 28).
 
     Parameters
     ----------
