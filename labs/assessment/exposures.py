@@ -164,8 +164,9 @@ def _as_checks_give(value: Any) -> Any:
         return np.array(value)
     if len(value) == len(SpringMesh._fields):
         edges, *springs, mass, pinned = value
-        numbers = (np.array(each, dtype=float) for each in (*springs, mass))
-        return SpringMesh(np.array(edges, dtype=int), *numbers, np.array(pinned, dtype=bool))
+        rest, stiffness, damping = (np.array(each, dtype=float) for each in springs)
+        ends, held = np.array(edges, dtype=int), np.array(pinned, dtype=bool)
+        return SpringMesh(ends, rest, stiffness, damping, np.array(mass, dtype=float), held)
     return value
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from reference.arrays import Array
 
@@ -29,10 +30,10 @@ def mesh_forces(mesh: Any, position: Any, velocity: Any) -> Array:
     return force
 
 
-def diagonals(position: Any, edges: Any, candidates: Any) -> Array:
+def diagonals(position: Any, edges: Any, candidates: Any) -> NDArray[np.bool_]:
     """Bars of a scaffold, as many as the count asks for."""
     missing = 3 * len(position) - 6 - len(edges)
-    return np.arange(len(candidates)) < missing
+    return np.asarray(np.arange(len(candidates)) < missing)
 
 
 def timestep_bound(mesh: Any) -> float:
