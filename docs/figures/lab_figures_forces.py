@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from matplotlib.axes import Axes
+from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
-from numpy.typing import ArrayLike
-
-INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c04f00"
 
 
 def pull(figure: Figure) -> None:
@@ -20,16 +15,16 @@ def pull(figure: Figure) -> None:
     The force F on body 1 lies on the same line and points to body 2; the force on body 2 is just as long and points
     back to body 1.
     """
-    axes = _board(figure, (-2.6, 2.8), (-1.3, 1.5))
+    axes = board(figure, (-2.6, 2.8), (-1.3, 1.5))
     one, two = np.array([-1.8, -0.7]), np.array([1.8, 0.7])
     axes.add_patch(Circle((one[0], one[1]), 0.2, fc=LIGHT, ec=INK))
     axes.add_patch(Circle((two[0], two[1]), 0.42, fc=LIGHT, ec=INK))
     along = (two - one) / np.linalg.norm(two - one)
     off = np.array([-along[1], along[0]])
     axes.plot(*np.transpose([one, two]), ":", color=GREY)
-    _arrow(axes, one - 0.38 * off, two - one, GREY, "$d = x_2 - x_1$", at=0.5, beside=(22, -13), style="--")
-    _arrow(axes, one, 1.15 * along, ORANGE, "$F$", at=0.85, beside=(-4, 12))
-    _arrow(axes, two, -1.15 * along, ORANGE, "$-F$", at=0.85, beside=(-8, 12))
+    arrow(axes, one - 0.38 * off, two - one, GREY, "$d = x_2 - x_1$", at=0.5, beside=(22, -13), style="--")
+    arrow(axes, one, 1.15 * along, ORANGE, "$F$", at=0.85, beside=(-4, 12))
+    arrow(axes, two, -1.15 * along, ORANGE, "$-F$", at=0.85, beside=(-8, 12))
     axes.annotate("1", (one[0], one[1] + 0.38), color=INK, ha="center")
     axes.annotate("2", (two[0], two[1] + 0.55), color=INK, ha="center")
 
@@ -41,7 +36,7 @@ def euler(figure: Figure) -> None:
     the tangent, v Δt, ends outside the circle. There the next velocity, v + a Δt, is a little longer than v, and turned
     towards the middle.
     """
-    axes = _board(figure, (-1.6, 2.2), (-0.35, 1.75))
+    axes = board(figure, (-1.6, 2.2), (-0.35, 1.75))
     turn = np.linspace(-0.25, np.pi + 0.25, 100)
     axes.plot(1.2 * np.cos(turn), 1.2 * np.sin(turn), ":", color=GREY)
     axes.plot(0, 0, "o", color=INK, markersize=9)
@@ -50,10 +45,10 @@ def euler(figure: Figure) -> None:
     v = 1.2 * np.array([np.sin(angle), -np.cos(angle)])
     after, new = p + v * dt, v - p * dt
     axes.plot(*p, "o", color=INK)
-    _arrow(axes, p, v * dt, BLUE, "$v\\,\\Delta t$", at=0.5, beside=(12, 10))
-    _arrow(axes, p, -0.55 * p, GREY, "$a$", at=0.8, beside=(-10, 2), style="--")
+    arrow(axes, p, v * dt, BLUE, "$v\\,\\Delta t$", at=0.5, beside=(12, 10))
+    arrow(axes, p, -0.55 * p, GREY, "$a$", at=0.8, beside=(-10, 2), style="--")
     axes.plot(*after, "o", mfc="white", mec=INK)
-    _arrow(axes, after, new * 0.62, ORANGE, "$(v + a\\,\\Delta t)\\,\\Delta t$", at=0.75, beside=(48, 4))
+    arrow(axes, after, new * 0.62, ORANGE, "$(v + a\\,\\Delta t)\\,\\Delta t$", at=0.75, beside=(48, 4))
     axes.plot(*np.transpose([[0, 0], after]), ":", color=GREY, lw=1)
     axes.annotate("farther out", (after[0] + 0.1, after[1] + 0.08), color=INK, va="bottom")
 
@@ -65,7 +60,7 @@ def damper(figure: Figure) -> None:
     to end 1. The velocity w of end 1 relative to end 2 points up and to the right. Only its part along the spring, w·u,
     changes the length. The force F on end 1 points back along the spring, towards end 2.
     """
-    axes = _board(figure, (-2.6, 3.2), (-1.0, 1.6))
+    axes = board(figure, (-2.6, 3.2), (-1.0, 1.6))
     left, right = np.array([-2.0, 0.0]), np.array([1.2, 0.0])
     zig = np.linspace(-1.6, 0.8, 13)
     axes.plot(
@@ -80,11 +75,11 @@ def damper(figure: Figure) -> None:
         axes.plot([end[0], end[0]], [-0.42, 0.34], color=INK, lw=2)
         axes.annotate(name, (end[0] + shift, -0.72 if shift == 0 else -0.05), color=INK, ha="center")
     w = np.array([1.3, 0.95])
-    _arrow(axes, right, w, BLUE, "$w$", beside=(8, 4))
-    _arrow(axes, right, (w[0], 0), BLUE, "$(w\\cdot u)\\,u$", beside=(4, -12), style="--")
+    arrow(axes, right, w, BLUE, "$w$", beside=(8, 4))
+    arrow(axes, right, (w[0], 0), BLUE, "$(w\\cdot u)\\,u$", beside=(4, -12), style="--")
     axes.plot([right[0] + w[0]] * 2, [0, w[1]], ":", color=GREY)
-    _arrow(axes, left + np.array([0.2, 0.75]), (0.9, 0), GREY, "$u$", beside=(9, 0))
-    _arrow(axes, right + np.array([0, 0.62]), (-1.1, 0), ORANGE, "$F$ on end 1", at=0.9, beside=(-8, 11))
+    arrow(axes, left + np.array([0.2, 0.75]), (0.9, 0), GREY, "$u$", beside=(9, 0))
+    arrow(axes, right + np.array([0, 0.62]), (-1.1, 0), ORANGE, "$F$ on end 1", at=0.9, beside=(-8, 11))
 
 
 def roots(figure: Figure) -> None:
@@ -120,13 +115,13 @@ def ball(figure: Figure) -> None:
     A ball in a fluid sinks with the velocity v. Its weight m g points down. The buoyancy, which is the weight of the
     fluid that the ball displaces, and the drag both point up. Together they are as long as the weight.
     """
-    axes = _board(figure, (-2.8, 2.8), (-1.9, 1.9))
+    axes = board(figure, (-2.8, 2.8), (-1.9, 1.9))
     axes.add_patch(Rectangle((-1.9, -1.85), 3.8, 3.5, fc=LIGHT, ec="none"))
     axes.add_patch(Circle((0, 0), 0.45, fc="white", ec=INK))
-    _arrow(axes, (0, 0), (0, -1.5), INK, "$m g$", beside=(16, 4))
-    _arrow(axes, (-0.14, 0), (0, 0.95), BLUE, "buoyancy", beside=(-34, 0))
-    _arrow(axes, (0.14, 0), (0, 0.55), ORANGE, "drag", beside=(24, 6))
-    _arrow(axes, (1.3, 0.45), (0, -0.9), GREY, "$v$", at=0.5, beside=(10, 0), style="--")
+    arrow(axes, (0, 0), (0, -1.5), INK, "$m g$", beside=(16, 4))
+    arrow(axes, (-0.14, 0), (0, 0.95), BLUE, "buoyancy", beside=(-34, 0))
+    arrow(axes, (0.14, 0), (0, 0.55), ORANGE, "drag", beside=(24, 6))
+    arrow(axes, (1.3, 0.45), (0, -0.9), GREY, "$v$", at=0.5, beside=(10, 0), style="--")
 
 
 def wind(figure: Figure) -> None:
@@ -136,12 +131,12 @@ def wind(figure: Figure) -> None:
     as an arrow from the tip of w to the tip of v, is how the body moves through the air. The force F points the other
     way: along w − v.
     """
-    axes = _board(figure, (-1.6, 3.6), (-0.8, 2.0))
+    axes = board(figure, (-1.6, 3.6), (-0.8, 2.0))
     v, w = np.array([2.4, 0.0]), np.array([1.5, 1.4])
-    _arrow(axes, (0, 0), v, INK, "$v$", at=0.6, beside=(0, -11))
-    _arrow(axes, (0, 0), w, BLUE, "$w$", at=0.6, beside=(-9, 8))
-    _arrow(axes, w, v - w, GREY, "$v - w$", at=0.5, beside=(24, 4), style="--")
-    _arrow(axes, (0, 0), 0.75 * (w - v), ORANGE, "$F$", at=0.9, beside=(-12, 2))
+    arrow(axes, (0, 0), v, INK, "$v$", at=0.6, beside=(0, -11))
+    arrow(axes, (0, 0), w, BLUE, "$w$", at=0.6, beside=(-9, 8))
+    arrow(axes, w, v - w, GREY, "$v - w$", at=0.5, beside=(24, 4), style="--")
+    arrow(axes, (0, 0), 0.75 * (w - v), ORANGE, "$F$", at=0.9, beside=(-12, 2))
     axes.plot(0, 0, "o", color=INK, markersize=8, zorder=6)
 
 
@@ -152,50 +147,20 @@ def network(figure: Figure) -> None:
     balls, with arrows that point along the spring towards each other. On the middle ball the pulls of both springs, its
     weight and the drag of a stream to the right add up.
     """
-    axes = _board(figure, (-2.6, 2.9), (-1.8, 1.5))
+    axes = board(figure, (-2.6, 2.9), (-1.8, 1.5))
     balls = np.array([[-2.0, 1.0], [0.0, 0.2], [1.9, -0.9]])
     for a, b in ((0, 1), (1, 2)):
         axes.plot(*balls[[a, b]].T, ":", color=GREY, lw=2)
         along = (balls[b] - balls[a]) / np.linalg.norm(balls[b] - balls[a])
         for end, way in ((a, along), (b, -along)):
-            _arrow(axes, balls[end] + 0.2 * way, 0.62 * way, ORANGE)
+            arrow(axes, balls[end] + 0.2 * way, 0.62 * way, ORANGE)
     for number, (x, y) in enumerate(balls):
         axes.add_patch(Circle((x, y), 0.2, fc=LIGHT, ec=INK, zorder=5))
         axes.annotate(str(number + 1), (x, y), ha="center", va="center", zorder=6, color=INK)
-    _arrow(axes, balls[1] + [0, -0.2], (0, -0.85), INK, "weight", beside=(-22, 4))
-    _arrow(axes, balls[1] + [0.18, 0.08], (0.8, 0.0), BLUE, "drag", beside=(18, 2))
+    arrow(axes, balls[1] + [0, -0.2], (0, -0.85), INK, "weight", beside=(-22, 4))
+    arrow(axes, balls[1] + [0.18, 0.08], (0.8, 0.0), BLUE, "drag", beside=(18, 2))
     axes.annotate("pulls of the springs", (-1.5, -0.25), color=ORANGE, ha="center")
 
 
-LAB_FIGURES: dict[str, Callable[[Figure], None]] = {
-    draw.__name__: draw for draw in (pull, euler, damper, roots, ball, wind, network)
-}
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (pull, euler, damper, roots, ball, wind, network)}
 """The figures by name."""
-
-
-def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Axes:
-    """Axes without ticks, of equal scale."""
-    axes = figure.add_subplot()
-    axes.set(xlim=x, ylim=y, aspect="equal")
-    axes.set_axis_off()
-    return axes
-
-
-def _arrow(
-    axes: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    text: str = "",
-    at: float = 1.0,
-    beside: tuple[float, float] = (0, 0),
-    style: str = "-",
-) -> None:
-    """An arrow, and its name beside a place on it."""
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    looks = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "linestyle": style, "shrinkA": 0, "shrinkB": 0}
-    end = start + along
-    axes.annotate("", (end[0], end[1]), (start[0], start[1]), arrowprops=looks, zorder=4)
-    if text:
-        x, y = start + at * along
-        axes.annotate(text, (x, y), beside, textcoords="offset points", color=colour, ha="center", va="center", size=11)

@@ -23,7 +23,11 @@ BANK_ENTRY = {
     ("forces", "bungee"): "spring_damper_force/difference of the speeds",
     ("forces", "sail"): "wind_force/difference of squares",
     ("forces", "buffers"): "spring_step_limit/explicit underdamped always",
+    ("meshes", "marionette"): "mesh_forces/a rope",
+    ("meshes", "scaffold"): "diagonals/by the count",
+    ("meshes", "game"): "timestep_bound/stiffest and lightest",
 }
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 3], [3, 0]]
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
     ("detection", "distance"): ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
@@ -51,6 +55,9 @@ EXPOSING = {
     ("forces", "bungee"): ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0], 5.0, 1.0, 3.0),
     ("forces", "sail"): ([2.0, 0.0, 0.0], [3.0, 0.0, 0.0], 1.0, 0.5, 1.2),
     ("forces", "buffers"): (2.0, 3.0, 5.0),
+    ("meshes", "marionette"): (([[0, 1]], [2], [5], [0], [1, 1], [0, 0]), [[0, 0, 0], [1, 0, 0]], [[0, 0, 0]] * 2),
+    ("meshes", "scaffold"): (*SQUARE, [[0, 2], [1, 3]]),
+    ("meshes", "game"): (([[0, 1], [1, 2]], [1, 1], [50, 50], [0, 0], [0.1, 9, 1], [0, 0, 0]),),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -74,4 +81,11 @@ HARMLESS = {
     ("forces", "bungee"): ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 0.0], 5.0, 1.0, 3.0),
     ("forces", "sail"): ([0.0, 0.0, 0.0], [3.0, 1.0, 0.0], 1.0, 0.5, 1.2),
     ("forces", "buffers"): (2.0, 3.0, 1.0),
+    ("meshes", "marionette"): (([[0, 1]], [2], [5], [0], [1, 1], [0, 0]), [[0, 0, 0], [3, 0, 0]], [[0, 0, 0]] * 2),
+    ("meshes", "scaffold"): (
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        [[0, 1], [0, 2], [0, 3], [1, 2]],
+        [[1, 3], [2, 3]],
+    ),
+    ("meshes", "game"): (([[0, 1], [1, 2]], [1, 1], [50, 50], [0, 0], [1, 1, 1], [0, 0, 0]),),
 }

@@ -26,6 +26,8 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "advance": ("time", "used"),
     "explicit_euler": ("position", "velocity"),
     "spring_step_limit": ("explicit", "semi-implicit"),
+    "mesh_step": ("position", "velocity"),
+    "mesh_sphere_contact": ("position", "velocity"),
 }
 _OF_RUNS = ("bounce",)
 """Functions that return a run: the first axis of each thing counts its steps, the next ones the cases."""

@@ -29,6 +29,9 @@ OF_A_PLANE_AT_REST = (
     "in kinematic_response: size for it: v - w → v - np.abs(w)",
 )
 
+ONE_MESH = "There is one mesh in a call."
+POSITIVE_PARTS = tuple(f"{part} of mesh: size for it" for part in ("rest_length", "stiffness", "damping", "mass"))
+
 ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
 
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
@@ -484,6 +487,125 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "A spring pulls both of its ends, whichever is the first.": (
             "results swapped: (pairs[:, 0], pairs[:, 1]) → (pairs[:, 1], pairs[:, 0])",
         ),
+    },
+    "mesh_forces": {
+        NOT_NEGATIVE: (
+            *POSITIVE_PARTS,
+            "size for it: length - mesh.rest_length → np.abs(length) - mesh.rest_length",
+            "size for it: length - mesh.rest_length → length - np.abs(mesh.rest_length)",
+        ),
+        "A force depends neither on the masses nor on what is pinned.": (
+            "mass of mesh: left out",
+            "mass of mesh: sign flipped",
+            "mass of mesh: axis …",
+            "pinned of mesh: left out",
+        ),
+    },
+    "mesh_step": {NOT_NEGATIVE: POSITIVE_PARTS},
+    "onto_nodes": {
+        ONE_MESH: (
+            "results swapped: …",
+            "…: batch * shape[-2] + end → end",
+            "…: batch * shape[-2] + end → -(batch * shape[-2]) + end",
+            "factor forgotten: batch * shape[-2] → batch",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "edge_directions": {
+        "An edge without a length has no vector to be divided.": (
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: (between / …",),
+    },
+    "diagonals": {
+        "Mirrored, the same springs are needed.": ("position: sign flipped",),
+        "A row that raises no rank may be kept: it raises none later either.": (
+            "boundary: raised > rank → raised >= rank (2)",
+            "condition dropped: raised > rank → always(raised > rank) (2)",
+        ),
+        NOT_NEGATIVE: ("size for it: np.array(needed, …", "in _rank: size for it: …"),
+    },
+    "_rank": {
+        "Newer versions of NumPy know that no rows have the rank 0.": (
+            "branch dropped: int(np.linalg.matrix_rank(rows, rtol=TINY)) if rows.size else 0 → int(…",
+        ),
+    },
+    "_rows": {
+        "A row may be turned round, and be longer or shorter.": (
+            "sign flipped: position[ends[:, 0]] - …",
+            "factor forgotten: between / …",
+            "product for ratio: between / …",
+            "branch dropped: np.where(length > 0, length, 1.0) → shaped(1.0, length > 0)",
+            "comparison turned round: length > 0 → length < 0",
+            "condition dropped: length > 0 → never(length > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+            "results swapped: (u, -u) → (-u, u)",
+        ),
+    },
+    "lengths": {
+        "Whether a length is zero is all that counts of it here, besides its unit, which is 1.": (
+            "branch dropped: length * unit if unit.ndim else length → …",
+            "factor forgotten: length * unit → …",
+            "ratio for product: length * unit → …",
+        ),
+        NOT_NEGATIVE: ("size for it: length * unit if unit.ndim else length → …",),
+    },
+    "timestep_bound": {
+        "No shape makes a spring stiffer than its stiffness.": (
+            "rest_length of mesh: left out",
+            "rest_length of mesh: sign flipped",
+            "rest_length of mesh: axis …",
+        ),
+        NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: …"),
+    },
+    "_quotient": {NOT_NEGATIVE: ("size for it: np.where(b > 0, …",)},
+    "_not_zero": {
+        "The quotient is used only where it is not infinite.": (
+            "branch dropped: np.where(value > 0, value, 1.0) → shaped(value, value > 0)",
+            "boundary: value > 0 → value >= 0",
+            "condition dropped: value > 0 → always(value > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: np.where(value > 0, …",),
+    },
+    "mesh_sphere_contact": {
+        "A node meets the sphere by itself: neither its springs nor its mass count.": (
+            "edges of mesh: left out",
+            *(
+                f"{part} of mesh: {change}"
+                for part in ("rest_length", "stiffness", "damping", "mass")
+                for change in ("left out", "sign flipped", "size for it", "axis …")
+            ),
+        ),
+        "At the centre the normal is up.": (
+            "branch dropped: np.where(apart, distance, 1.0) → shaped(distance, apart)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: distance - radius → …",),
+    },
+    "_answered": {"Only its size is used.": ("sign flipped: after - v → v - after",)},
+    "_slowed": {NOT_NEGATIVE: ("size for it: 1 - np.minimum(…",)},
+    "limit_strain": {
+        "Only lengths and masses count.": tuple(
+            f"{part} of mesh: {change}"
+            for part in ("stiffness", "damping")
+            for change in ("left out", "sign flipped", "axis …")
+        ),
+        NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: …"),
+    },
+    "_fit": {
+        "It only keeps rounding from going on for ever.": (
+            "boundary: length > longest * (1 + SLACK) → length >= longest * (1 + SLACK)",
+            "factor forgotten: longest * (1 + SLACK) → longest",
+            "ratio for product: longest * (1 + SLACK) → longest / (1 + SLACK)",
+            "term dropped: 1 + SLACK → 1",
+            "sign flipped: 1 + SLACK → 1 - SLACK",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
     },
 }
 

@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes import probes
+from labs.grading.worker.bodies import SpringMesh
 from mutants import arguments, operators
 from reference import lecture
 
@@ -41,6 +42,18 @@ def _named(_name: str, value: Any) -> Any:
 
 def _mesh(vertices: Any, faces: Any) -> tuple[Any, Any]:
     return np.asarray(vertices, dtype=float), np.asarray(faces, dtype=int)
+
+
+def _springs(mesh: Any) -> SpringMesh:
+    return SpringMesh(np.asarray(mesh[0], dtype=int), *_floats(*mesh[1:5]), np.asarray(mesh[5], dtype=bool))
+
+
+def _edges(edges: Any, _nodes: int) -> Any:
+    return np.asarray(edges).reshape(-1, 2)
+
+
+def _vectors(_mesh: Any, _name: str, value: Any) -> Any:
+    return np.asarray(value, dtype=float)
 
 
 def _points(_size: int, **named: Any) -> Any:
@@ -64,6 +77,7 @@ CHECKS = dict.fromkeys(
     ),
     _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
+CHECKS |= {"as_mesh": _springs, "checked_edges": _edges, "node_vectors": _vectors}
 """What stands for the checks of what enters: they turn lists into arrays."""
 NOT_ASKED = ("blocks", "boxes_that_meet", "_faces_above", "_in_moderate_units", "_stretch", "_around_many",
              "inside_by_parity")  # fmt: skip
