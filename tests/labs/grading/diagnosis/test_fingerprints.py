@@ -23,8 +23,8 @@ BANK = read_bank()
 
 TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "world")
 ONE_CASE_ALONE = {
-    "count_impacts", "face_planes", "polyhedra_intersect", "advance", "total_force", "mesh_forces", "mesh_step", "diagonals",
-    "timestep_bound", "mesh_sphere_contact", "limit_strain",
+    "count_impacts", "face_planes", "polyhedra_intersect", "advance", "total_force", "mesh_forces", "mesh_step",
+    "diagonals", "timestep_bound", "mesh_sphere_contact", "limit_strain",
 }  # fmt: skip
 """Functions that take one case in a call."""
 
