@@ -101,16 +101,14 @@ def tangent_point(
     )
     towards = unit_or_zero(c - p)
     distance, way = _distance_and_way(c - p, r)
-    outside = distance >= r
-    length = np.where(outside, distance, 1.0)
-    short = np.where(outside, r * (r / length), r)[..., None]
-    aside = np.where(outside, r * (way / length), 0.0)[..., None]
+    longest = np.maximum(distance, r)
+    short, aside = r * (r / longest), r * (way / longest)
     side = side_of(towards, in_space("heading", heading))
     at_centre = (distance == 0)[..., None]
     return np.where(
         at_centre,
         c + r[..., None] * np.array([0.0, 0.0, 1.0]),
-        c - short * towards + aside * side,
+        c - short[..., None] * towards + aside[..., None] * side,
     )
 
 

@@ -20,6 +20,9 @@ BANK_ENTRY = {
     ("sweeping", "zone"): "ray_sphere/exit from within",
     ("sweeping", "viewer"): "ray_box/along an axis is inside",
     ("sweeping", "pipes"): "ray_capsule/ends left out",
+    ("avoidance", "ferries"): "nearest_approach/in the past",
+    ("avoidance", "lighthouse"): "repelling_force/size of the separation",
+    ("avoidance", "balloon"): "tangent_point/horizontal alone",
 }
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
@@ -45,6 +48,9 @@ EXPOSING = {
     ("sweeping", "zone"): ([0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 1.0),
     ("sweeping", "viewer"): ([-3.0, 0.0, 5.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
     ("sweeping", "pipes"): ([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
+    ("avoidance", "ferries"): ([3.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], 1.0, 1.0),
+    ("avoidance", "lighthouse"): (-1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
+    ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [5.0, 0.0, 0.0], 3.0),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -65,4 +71,7 @@ HARMLESS = {
     ("sweeping", "zone"): ([0.0, 0.5, -3.0], [0.0, 0.0, 2.0], 1.0),
     ("sweeping", "viewer"): ([-3.0, 0.2, -1.5], [1.0, 0.1, 0.4], [1.0, 1.0, 1.0]),
     ("sweeping", "pipes"): ([2.0, 0.1, 0.3], [-1.0, 0.0, 0.1], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
+    ("avoidance", "ferries"): ([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [-1.0, 0.0, 0.0], 1.0, 0.5),
+    ("avoidance", "lighthouse"): (1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
+    ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, -0.5, 0.0], [5.0, 0.0, 0.0], 3.0),
 }

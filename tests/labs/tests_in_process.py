@@ -13,7 +13,7 @@ from labs.grading.judging.examples import Examples
 from reference.errors import CollisionsError
 
 FOLDER = Path(__file__).parents[1] / "autograder"
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world")
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "avoidance", "world")
 
 
 class Asked:

@@ -95,4 +95,13 @@ def test_there_are_far_more_than_fifty_right_answers_in_other_words():
     topics = [name.partition("_")[0] for name in FILES]
     written = [entry for topic in topics for entry in lecture.functions_of(topic) if entry.role == "written"]
     assert len(written) > 70
-    assert set(topics) == {"detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world"}
+    assert set(topics) == {
+        "detection",
+        "response",
+        "friction",
+        "impulse",
+        "polyhedra",
+        "sweeping",
+        "avoidance",
+        "world",
+    }

@@ -15,7 +15,7 @@ from labs.grading.judging.grade import Grade, grade
 from labs.grading.judging.score_sheet import Sheet
 from reference import lecture
 
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world")
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "avoidance", "world")
 THREE_MISTAKES = """
 import numpy as np
 

@@ -21,8 +21,8 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world")
-ONE_CASE_ALONE = {"count_impacts", "face_planes", "polyhedra_intersect", "advance"}
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "avoidance", "world")
+ONE_CASE_ALONE = {"count_impacts", "face_planes", "polyhedra_intersect", "advance", "separation", "towards_mean"}
 """Functions that take one case in a call."""
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
