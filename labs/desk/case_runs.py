@@ -133,8 +133,7 @@ def run_case(request: Request, code: StudentCode, progress: Progress = lambda do
             found[result.job] = result
             progress(len(found), len(jobs), result.title)
     (case,) = jobs[0].chosen(family)
-    own = code.functions.union(code.through)
-    runs = CaseRuns(family, case, tuple(_titled(found[job], own) for job in jobs), code.functions)
+    runs = CaseRuns(family, case, tuple(_titled(found[job], code.functions) for job in jobs), code.functions)
     return runs.with_notes(code.located)
 
 

@@ -39,8 +39,7 @@ class StudentCode:
     topic: of the lab. own: the functions of that lab that the student has written. earlier: those of earlier labs, each
     with the notebook that it comes from. complaints: about these notebooks. package: has correct functions for the
     rest; empty if there is none. source: all of this as an `Implementation` takes it. files: the written modules by
-    name, each with the notebook that it comes from (empty for the lab's own) and what was read there. through: what the
-    lesson itself has put together out of the student's functions, such as a rule that steers.
+    name, each with the notebook that it comes from (empty for the lab's own) and what was read there.
     """
 
     topic: str
@@ -50,7 +49,6 @@ class StudentCode:
     package: str
     source: str
     files: Mapping[str, tuple[str, Submission]] = field(default_factory=dict)
-    through: tuple[str, ...] = ()
 
     def located(self, text: str) -> str:
         """A message in which every `line 3 of FILE` names the student's own cell instead."""
@@ -200,7 +198,6 @@ def collect(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> StudentC
             earlier += [(name, path.name) for name in found.functions]
     package = package_of_correct_functions()
     own = tuple(name for name in names if name in submission.functions and name not in unwritten)
-    through = tuple(each for each in submission.functions if each not in names and {*submission.uses(each)} & {*own})
     return StudentCode(
         topic,
         own,
@@ -209,7 +206,6 @@ def collect(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> StudentC
         package,
         source=" | ".join([*map(str, files), *([package] if package else [])]),
         files={file.name: read_there for file, read_there in files.items()},
-        through=through,
     )
 
 
