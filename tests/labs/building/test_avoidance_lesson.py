@@ -47,6 +47,14 @@ def test_the_copied_line_leads_away_from_the_target(experiments):
     assert np.linalg.norm(places[-1]) == pytest.approx(6.8, abs=0.02)
 
 
+def test_bodies_from_three_sides_come_nearer(experiments, capsys):
+    experiments.from_three_sides()
+    ends = np.array(re.findall(r"ends at \((\S+), (\S+)\) m", capsys.readouterr().out), dtype=float)
+    starts = np.array([(4.0, 1.0), (-3.0, 3.0), (-2.0, -3.0)])
+    assert len(ends) == 3  # of the picture's text, which is printed where nothing shows pictures
+    assert np.all(np.linalg.norm(ends, axis=1) < np.linalg.norm(starts, axis=1))
+
+
 def test_whoever_slows_from_half_the_radius_needed_runs_six_centimetres_past(experiments):
     assert 1e3 * experiments.past_the_target(1.0) == pytest.approx(65, abs=1)
     assert experiments.past_the_target(2.0) == 0.0  # R = 4 v τ
