@@ -26,6 +26,9 @@ BANK_ENTRY = {
     ("meshes", "marionette"): "mesh_forces/a rope",
     ("meshes", "scaffold"): "diagonals/by the count",
     ("meshes", "game"): "timestep_bound/stiffest and lightest",
+    ("avoidance", "ferries"): "nearest_approach/in the past",
+    ("avoidance", "lighthouse"): "repelling_force/size of the separation",
+    ("avoidance", "balloon"): "tangent_point/horizontal alone",
 }
 SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 3], [3, 0]]
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -58,6 +61,9 @@ EXPOSING = {
     ("meshes", "marionette"): (([[0, 1]], [2], [5], [0], [1, 1], [0, 0]), [[0, 0, 0], [1, 0, 0]], [[0, 0, 0]] * 2),
     ("meshes", "scaffold"): (*SQUARE, [[0, 2], [1, 3]]),
     ("meshes", "game"): (([[0, 1], [1, 2]], [1, 1], [50, 50], [0, 0], [0.1, 9, 1], [0, 0, 0]),),
+    ("avoidance", "ferries"): ([3.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], 1.0, 1.0),
+    ("avoidance", "lighthouse"): (-1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
+    ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [5.0, 0.0, 0.0], 3.0),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -88,4 +94,7 @@ HARMLESS = {
         [[1, 3], [2, 3]],
     ),
     ("meshes", "game"): (([[0, 1], [1, 2]], [1, 1], [50, 50], [0, 0], [1, 1, 1], [0, 0, 0]),),
+    ("avoidance", "ferries"): ([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [-1.0, 0.0, 0.0], 1.0, 0.5),
+    ("avoidance", "lighthouse"): (1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
+    ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, -0.5, 0.0], [5.0, 0.0, 0.0], 3.0),
 }

@@ -18,13 +18,14 @@ from tests_in_process import Asked, collected, run_test
 from labs.grading.judging.case_by_case import CaseByCase
 from reference import lecture
 
-LABS = ("response", "friction", "polyhedra", "sweeping", "forces", "meshes")
+LABS = ("response", "friction", "polyhedra", "sweeping", "forces", "meshes", "avoidance")
 WRITTEN = [entry.name for topic in LABS for entry in lecture.functions_of(topic) if entry.role == "written"]
 TESTS = collected("visible", "hidden")
 OF_ONE_SIZE = {
     "normal", "restitution", "behind", "faces", "faces_a", "faces_b", "steps", "looks", "adhesive", "friction",
     "static_friction", "kinetic_friction", "steps_per_contact", "ends", "drag_coefficient",
     "edges", "candidates", "limit", "iterations",
+    "first", "second",
 }  # fmt: skip
 """Arguments without a unit."""
 SPARED = {

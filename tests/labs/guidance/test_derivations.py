@@ -33,6 +33,10 @@ ONE_SIGN = {
     "it is a length or its square, or a square of a speed": """ray_sphere.a ray_capsule.s ray_capsule.q ray_box.h
         missed_share.c missed_share.D missed_share.R sweep_sphere_sphere.d sweep_sphere_sphere.r_A
         sweep_sphere_sphere.r_B advance.s advance.L advance.g""",
+    "of bodies that avoid each other it is a length, a speed, a time, a mass, a pull, a weight or a number": """
+        arrive.v arrive.tau arrive.m arrive.R repelling_force.R repelling_force.F repelling_force.F0 tangent_point.L
+        tangent_point.r nearest_approach.a separation.w_s separation.w_c towards_mean.n orca_half_plane.R
+        orca_half_plane.L""",
     "a ray enters where it approaches": "ray_sphere.b ray_box.u",
     "the one that follows is the faster one": "sweep_sphere_sphere.v_A",
     "it is a reach, a spin or an angle below half a turn": "motion_bound.r motion_bound.w motion_bound.a",

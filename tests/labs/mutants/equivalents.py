@@ -349,6 +349,54 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Mirrored, both solids meet as before.": ("vertices_a and vertices_b: sign flipped",),
         NOT_NEGATIVE: ("size for it: any(inside)…",),
     },
+    "tangent_point": {
+        "Only the distance is used.": ("sign flipped: c - p → p - c (2)",),
+        NOT_NEGATIVE: ("size for it: c + r[..., None] * … → c + np.abs(r[..., None] * …",),
+    },
+    "_distance_and_way": {
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "nearest_approach": {
+        "Without a relative velocity nothing closes in either.": (
+            "branch dropped: np.where(squared > 0, np.maximum(closing, 0.0) / … → shaped(np.maximum(closing, 0.0) / …",
+            "boundary: squared > 0 → squared >= 0",
+            "condition dropped: squared > 0 → always(squared > 0)",
+        ),
+        NOT_NEGATIVE: (
+            "size for it: (time, distance - … → (np.abs(time), …",
+            "size for it: distance - radius_a → …",
+            "size for it: distance - radius_a - radius_b → distance - radius_a - np.abs(radius_b)",
+        ),
+        UNIT: (
+            "factor forgotten: np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed → np.maximum…",
+            "product for ratio: np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed → …",
+        ),
+    },
+    "separation": {ORDER: ("results swapped: (position, first, second) → (position, second, first)",)},
+    "towards_mean": {
+        ORDER: ("results swapped: (value, first, second) → (value, second, first)",),
+        NOT_NEGATIVE: ("size for it: np.bincount(i, minlength=len(x)) + …",),
+        "Without neighbours the sum is zero.": ("half the number: 1 → 0.5",),
+    },
+    "orca_half_plane": {
+        "The vectors have two components.": ("…: axis 2 left out", "axis 2 left out: …"),
+        NOT_NEGATIVE: (
+            "size for it: radius_a + radius_b → …",
+            "size for it: 1 - sine → …",
+            "size for it: 1 + sine → …",
+        ),
+        "Discs at one place overlap, and the cap decides.": (
+            "branch dropped: np.where(distance > 0, distance, 1.0) → shaped(distance, distance > 0)",
+            "boundary: distance > 0 → distance >= 0",
+            "condition dropped: distance > 0 → always(distance > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        "The sides of the cone are used only where the cap does not decide.": (
+            "branch dropped: np.where(capped, 0.0, reach) → shaped(reach, capped)",
+        ),
+        "A sign is its own inverse.": ("ratio for product: side * cosine → cosine / side",),
+    },
     "ray_sphere": {
         "Only its square is used.": ("cross product turned round: np.cross(x, u) → np.cross(u, x)",),
         "From within the result is zero, whatever the size of the sphere.": (

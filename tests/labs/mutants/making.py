@@ -71,6 +71,7 @@ CHECKS = dict.fromkeys(
         "vector",
         "matrix",
         "in_space",
+        "in_plane",
         "extent",
         "_one_hull",
         "_one_vector",

@@ -21,10 +21,12 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "world")
+TOPICS = (
+    "detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "avoidance", "world",
+)  # fmt: skip
 ONE_CASE_ALONE = {
     "count_impacts", "face_planes", "polyhedra_intersect", "advance", "total_force", "mesh_forces", "mesh_step",
-    "diagonals", "timestep_bound", "mesh_sphere_contact", "limit_strain",
+    "diagonals", "timestep_bound", "mesh_sphere_contact", "limit_strain", "separation", "towards_mean",
 }  # fmt: skip
 """Functions that take one case in a call."""
 
