@@ -37,6 +37,11 @@ ONE_SIGN = {
         arrive.v arrive.tau arrive.m arrive.R repelling_force.R repelling_force.F repelling_force.F0 tangent_point.L
         tangent_point.r nearest_approach.a separation.w_s separation.w_c towards_mean.n orca_half_plane.R
         orca_half_plane.L""",
+    "of a mesh it is a number of nodes, a length, a mass, a stiffness, a damping, a speed, a time or a coefficient": """
+        diagonals.a diagonals.b diagonals.c diagonals.d limit_strain.m_1 limit_strain.m_2 limit_strain.x mesh_forces.L
+        mesh_forces.L_0 mesh_forces.c mesh_forces.k mesh_forces.v mesh_sphere_contact.e mesh_sphere_contact.mu
+        mesh_sphere_contact.s mesh_step.dt timestep_bound.C timestep_bound.K timestep_bound.S timestep_bound.dt
+        timestep_bound.m""",
     "a ray enters where it approaches": "ray_sphere.b ray_box.u",
     "the one that follows is the faster one": "sweep_sphere_sphere.v_A",
     "it is a reach, a spin or an angle below half a turn": "motion_bound.r motion_bound.w motion_bound.a",
