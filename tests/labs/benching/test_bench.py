@@ -112,7 +112,8 @@ def test_every_bench_describes_itself_under_a_name_of_its_own(name):
 @pytest.mark.parametrize("name", BENCHES)
 def test_every_bench_runs(name):
     bench = benches()[name]
-    bench.ours.__globals__["CLASS"] = 2  # two submissions show that the bench of a class runs
+    if name == "grading-class":
+        bench.ours.__globals__["CLASS"] = 2  # two submissions show that it runs
     timings = measure(bench, repeats=1)
     assert timings[0].who == bench.who
     assert timings[0].median > 0
