@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from labs.grading.judging.comparison import expect, numbers
+from labs.grading.judging.comparison import expect, numbers, refuse_changes
 from labs.grading.judging.markers import asks
 
 TURN = np.array([[2.0, 1, -2], [1, 2, 2], [2, -2, 1]]) / 3
@@ -38,8 +38,9 @@ def test_a_body_that_seeks_wants_full_speed_towards_the_target(submission, part)
         expect(submission.seek, ([7, 1, -3], [1, -2, 3], 1.5), [-1, -0.5, 1])
         expect(submission.seek, ([-3, 4, 1], [-1, 1, 7], 3.5), [1, -1.5, 3])
         expect(submission.seek, (REST, [0, 0, -0.5], 2.0), [0, 0, -2])
-    with part(1, "in the plane; slowly, and not at all"):
+    with part(1, "in the plane, also at whole numbers; slowly, and not at all"):
         expect(submission.seek, ([1, 1], [4, 5], 2.0), [1.2, 1.6])
+        expect(submission.seek, (np.array([1, 1]), np.array([4, 5]), 2.0), [1.2, 1.6])
         expect(submission.seek, ([4, 5], [1, 1], 0.25), [-0.15, -0.2])
         expect(submission.seek, ([1, -2, 3], [7, 1, -3], 0.0), REST)
     with part(1, "at the target, near it and far from it"):
@@ -71,7 +72,7 @@ def test_a_body_that_arrives_slows_in_proportion_to_what_is_left(submission, par
         expect(submission.arrive, ([1, -2, 3], target, 3.0, 36.0), [0.5, 0.25, -0.5])
         expect(submission.arrive, (target, [1, -2, 3], 1.5, 12.0), [-0.75, -0.375, 0.75])
         expect(submission.arrive, ([-3, 4, 1], [-1, 1, 7], 14.0, 28.0), [1, -1.5, 3])
-        expect(submission.arrive, ([1, 1], [4, 5], 2.0, 20.0), [0.3, 0.4])
+        expect(submission.arrive, (np.array([1, 1]), np.array([4, 5]), 2.0, 20.0), [0.3, 0.4])
         expect(submission.arrive, ([1, -2, 3], target, 3.0, 1800.0), [0.01, 0.005, -0.01])
     with part(1, "at the target; without a speed"):
         expect(submission.arrive, (target, target, 3.0, 4.5), REST)
@@ -136,7 +137,8 @@ MIDDLE = place(5, 0, 0)
 )  # fmt: skip
 def test_the_radius_and_the_way_to_the_tangent_point_meet_at_a_right_angle(submission, part):
     with part(1, "to the side of the heading, 3, 4 and 5 m"):
-        expect(submission.tangent_point, (REST, [2, 1, 0], [5, 0, 0], 3.0), [3.2, 2.4, 0])
+        whole_numbers = (np.array(each) for each in ([0, 0, 0], [2, 1, 0], [5, 0, 0]))
+        expect(submission.tangent_point, (*whole_numbers, 3.0), [3.2, 2.4, 0])
         expect(submission.tangent_point, (REST, [1, -3, 0], [5, 0, 0], 4.0), [1.8, -2.4, 0])
         for side in ([1, 0], [-1, 0], [0, 1], [0.6, -0.8]):
             heading = way(2, 0.25 * side[0], 0.25 * side[1])
@@ -189,6 +191,8 @@ def test_two_bodies_are_nearest_where_their_distance_stops_shrinking(submission,
         expect(submission.nearest_approach, ([3, 0, 1.5], [-3, 1, 1], [1, -2, 3], [1, 1, -2], 0.25, 0.5), (0.5, 1.25))
     with part(1, "they will overlap, or meet head-on"):
         expect(submission.nearest_approach, (*a, *b, 2.0, 1.5), (2.0, -0.5))
+        whole_numbers = (np.array(each) for each in ([0, 0, 0], [2, 0, 0], [3, 1, 0], [0, 0, 0]))
+        expect(submission.nearest_approach, (*whole_numbers, 1.25, 0.5), (1.5, -0.75))
         expect(submission.nearest_approach, ([5, 0, 7], [-2, -1, -2], [1, -2, 3], REST, 1.0, 0.5), (2.0, -1.5))
     with part(1, "they move apart, or keep their distance"):
         expect(submission.nearest_approach, ([7, 0, 6], [2, 1, 2], [1, -2, 3], REST, 1.0, 0.5), (0.0, 5.5))
@@ -239,7 +243,7 @@ SQUARE = np.array([place(0, 0, 0), place(2, 0, 0), place(0, 4, 0), place(2, 4, 0
 )  # fmt: skip
 def test_neighbours_push_each_other_apart_by_one_over_their_distance(submission, part):
     with part(1, "two, near and far, in the plane and in space"):
-        expect(submission.separation, ([[1, 1], [4, 5]], *pairs((0, 1))), [[-0.12, -0.16], [0.12, 0.16]])
+        expect(submission.separation, (np.array([[1, 1], [4, 5]]), *pairs((0, 1))), [[-0.12, -0.16], [0.12, 0.16]])
         expect(submission.separation, ([[1, -2, 3], [7, 1, -3]], *pairs((0, 1))), [[-2 / 27, -1 / 27, 2 / 27],
                [2 / 27, 1 / 27, -2 / 27]])  # fmt: skip
         expect(submission.separation, ([place(0, 0.5, 0), CORNER], *pairs((0, 1))), [way(0, 2, 0), way(0, -2, 0)])
@@ -290,8 +294,11 @@ def test_the_mean_of_the_neighbours_less_the_own_value(submission, part):
     with part(1, "a chain, in which each has other neighbours"):
         expect(submission.towards_mean, (VALUES, *pairs((0, 1), (1, 2), (2, 3))),
                [[4, 2, -1], [-3, 2, -3], [-2, -5, 12], [6, 4, -17]])  # fmt: skip
+        whole_numbers = np.array([[1, 1], [4, 5], [2, 4]])
+        expect(submission.towards_mean, (whole_numbers, *pairs((0, 1), (0, 2))), [[2, 3.5], [-3, -4], [-1, -3]])
     with part(1, "without neighbours"):
         expect(submission.towards_mean, (VALUES, *pairs((1, 2))), [REST, [-2, 6, -7], [2, -6, 7], REST])
+        refuse_changes(submission.towards_mean)
         expect(submission.towards_mean, (VALUES, *pairs()), [REST] * 4)
         expect(submission.towards_mean, ([[1, 2]], *pairs()), [[0, 0]])
     with part(1, "all alike"):
@@ -352,7 +359,8 @@ def test_a_makes_half_of_the_way_to_the_border_of_the_cone(submission, part):
     with part(1, "exactly head-on each turns to its right; two points"):
         expect(submission.orca_half_plane, ([0, 0], [1, 0], 1.5, [5, 0], [-1, 0], 1.5, 10.0, 0.1),
                ([1 - 0.36, -0.48], [-0.6, -0.8]))  # fmt: skip
-        expect(submission.orca_half_plane, ([5, 0], [-1, 0], 1.5, [0, 0], [1, 0], 1.5, 10.0, 0.1),
+        (a, v), (b, w) = np.array([[5, 0], [-1, 0]]), np.array([[0, 0], [1, 0]])  # whole numbers
+        expect(submission.orca_half_plane, (a, v, 1.5, b, w, 1.5, 10.0, 0.1),
                ([0.36 - 1, 0.48], [0.6, 0.8]))  # fmt: skip
         half(2, 0.5, 10.0, -0.5, (0, 1), radius_a=0.0, radius_b=0.0)
         half(2, -1, 10.0, -1.0, (0, -1), radius_a=0.0, radius_b=0.0)

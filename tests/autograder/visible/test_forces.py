@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from labs.grading.calling.scenario_runs import compared_with_theory, with_solutions
-from labs.grading.judging.comparison import expect, numbers
+from labs.grading.judging.comparison import expect, numbers, refuse_changes
 from labs.grading.judging.markers import asks
 
 REST = [0.0, 0.0, 0.0]
@@ -27,7 +27,7 @@ THICK = 1 / (6 * math.pi)
     "Which velocity moves the body during the step: the one at its start or the one at its end?",
 )
 def test_a_step_uses_what_there_was_at_its_start(submission, part):
-    with part(2, "thrown; along no axis; at rest; a step of no length; a long step, tiny and huge things"):
+    with part(1, "thrown; along no axis; at rest; a step of no length; a long step, tiny and huge things"):
         expect(submission.explicit_euler, (REST, [3, 0, 4], [0, 0, -10], 0.5), ([1.5, 0, 2], [3, 0, -1]))
         expect(submission.explicit_euler, (HERE, [2, 1, -4], [6, -8, 2], 0.25), ([1.5, -1.75, 2], [3.5, -1, -3.5]))
         expect(submission.explicit_euler, (HERE, REST, [6, -8, 2], 0.5), (HERE, [3, -4, 1]))
@@ -36,6 +36,11 @@ def test_a_step_uses_what_there_was_at_its_start(submission, part):
         expect(submission.explicit_euler, (REST, [4, -2, 1], [2, 2, -6], 5e-6), ([2e-5, -1e-5, 5e-6], [4, -2, 1]))
         found = ([2.5e5, -1e5, 1e5], [5e5, -1.2e6, 8e5])
         expect(submission.explicit_euler, ([0, 1e5, -1e5], [5e5, -4e5, 4e5], [0, -1.6e6, 8e5], 0.5), found)
+    with part(1, "whole numbers, of which the step makes others; what is given stays as it was"):
+        whole = (np.array(each) for each in ([0, 1, -2], [3, 0, -1], [0, 1, -9]))
+        expect(submission.explicit_euler, (*whole, 0.5), ([1.5, 1, -2.5], [3, 0.5, -5.5]))
+        expect(submission.explicit_euler, (HERE, [2, 1, -4], [6, -8, 2], 0.25), ([1.5, -1.75, 2], [3.5, -1, -3.5]))
+        refuse_changes(submission.explicit_euler)
     with part(1, "two bodies in one call"):
         found = ([[1.5, 0, 2], [1.5, -1.75, 2]], [[3, 0, -1], [3.5, -1, -3.5]])
         given = ([REST, HERE], [[3, 0, 4], [2, 1, -4]], [[0, 0, -10], [6, -8, 2]], [0.5, 0.25])
@@ -59,12 +64,14 @@ def test_the_pull_points_to_the_other_body(submission, part):
             submission.universal_gravity, (2.0, HEAVY, REST, [2e-6, 3e-6, 6e-6]), [4e12 / 343, 6e12 / 343, 12e12 / 343]
         )
         expect(submission.universal_gravity, (2e-6, 1e12 * HEAVY, REST, [0, 0, -1e6]), [0, 0, -2e-6])
-    with part(1, "softened; at the same place"):
+    with part(1, "softened; at the same place; at places of whole numbers"):
         expect(submission.universal_gravity, (2.0, 3 * HEAVY, HERE, THERE, 24.0), [12 / 15625, 18 / 15625, 36 / 15625])
         expect(submission.universal_gravity, (2.0, HEAVY, [0, 3, 0], REST, 4.0), [0, -6 / 125, 0])
         expect(submission.universal_gravity, (2.0, HEAVY, [0, 3e-6, 0], REST, 4e-6), [0, -6e12 / 125, 0])
         expect(submission.universal_gravity, (2.0, HEAVY, HERE, HERE, 0.5), REST)
         expect(submission.universal_gravity, (2.0, HEAVY, HERE, HERE), REST)
+        places = np.array([1, -2, 3]), np.array([3, 1, 9])
+        expect(submission.universal_gravity, (2.0, 3 * HEAVY, *places), [12 / 343, 18 / 343, 36 / 343])
     with part(1, "two pairs in one call"):
         given = ([2.0, 3.0], HEAVY, [REST, HERE], [[0, 2, 0], THERE])
         expect(submission.universal_gravity, given, [[0, 0.5, 0], [6 / 343, 9 / 343, 18 / 343]])
@@ -98,7 +105,9 @@ def test_spring_and_damper_pull_along_the_line_between_their_ends(submission, pa
         expect(submission.spring_damper_force, (HERE, THERE, [3, 1, 0], [0, 3, 0], *slack), REST)  # across it
         expect(submission.spring_damper_force, ([0, 2, 0], REST, [0, 3e-6, 0], REST, *slack), [0, -6e-6, 0])
         expect(submission.spring_damper_force, ([0, 2, 0], REST, [0, 3e6, 0], REST, *slack), [0, -6e6, 0])
-    with part(1, "both together; exchange the ends, and the force is the opposite"):
+    with part(1, "both together, also of whole numbers; exchange the ends, and the force is the opposite"):
+        whole = (np.array(each) for each in ([1, -2, 3], [3, 1, 9], [5, 1, 1], [-2, 1, 1]))
+        expect(submission.spring_damper_force, (*whole, 7.0, 6.5, 0.875), [0.5, 0.75, 1.5])
         expect(submission.spring_damper_force, (HERE, THERE, [5, 1, 1], [-2, 1, 1], 14.0, 5.0, 3.5), [6, 9, 18])
         expect(submission.spring_damper_force, (HERE, THERE, [-2, 1, 4], [5, 1, 4], 14.0, 8.0, 7.0), REST)
 
@@ -239,9 +248,12 @@ def test_all_forces_on_a_ball_add_up(submission, part, examples):
         expect(submission.total_force, (*free, *twice), 2 * np.array(found))
         together = ([HERE, HERE], [REST, [1, 2, 3]], [2.0, 1.0], [0.5, 1.0], REST, 0.0, REST)
         expect(submission.total_force, (*together, *one), [REST, REST])
-    with part(1, "everything together"):
+    with part(1, "everything together, also of whole numbers; what is given stays as it was"):
         given = (PLACES, SPEEDS, MASSES, RADII, DOWN, 2 * THICK, [1.0, 1.0, 3.0], *springs)
-        expect(submission.total_force, given, [[-1, -4, -12], [3, -8, -22.5], [12.5, -1, -4.5], [6.5, 0.5, -23.5]])
+        found = [[-1, -4, -12], [3, -8, -22.5], [12.5, -1, -4.5], [6.5, 0.5, -23.5]]
+        expect(submission.total_force, given, found)
+        refuse_changes(submission.total_force)
+        expect(submission.total_force, (np.array(PLACES, dtype=int), np.array(SPEEDS, dtype=int), *given[2:]), found)
     with part(1, "springs push and pull no scene as a whole"):
 
         def balanced(position, velocity, stiffness, rest, damping):
