@@ -235,7 +235,7 @@ BANK = (
     M("timestep_bound", "dampers left out", bound(lambda k, c: step(k)),
       "The dampers are left out. They make the limit of this method shorter.",
       "Which of the arrays of the mesh does your answer not depend on?"),
-    M("timestep_bound", "dampers make it longer", bound(lambda k, c: np.where(k > 0, step(k, -c), step(k, c))),
+    M("timestep_bound", "dampers make it longer", bound(lambda k, c: np.where(k > 0, step(k, -c), np.inf)),
       "The dampers make the step longer, because the sign of one of the two c is wrong.",
       "Solve dt² k + 2 dt c = 4 for dt with a very large c. What comes out?"),
     M("timestep_bound", "half of the dampers", bound(lambda k, c: step(k, c / 2)),

@@ -178,6 +178,7 @@ def _flock(name: str) -> list[Probe]:
         usual("two", [[1, -2, 3], [3, -1, 1]], *_pairs((0, 1))),
         usual("two, near each other", [[1, -2, 3], [1.5, -2.25, 3.5]], *_pairs((0, 1))),
         usual("two in the plane", [[1, 1], [4, 5]], *_pairs((0, 1))),
+        usual("two, some millimetres apart", [REST, [1e-3, -2e-3, 2e-3]], *_pairs((0, 1))),
         usual("one with two neighbours", FOUR, *_pairs((0, 1), (0, 2))),
         usual("another with two neighbours", FOUR, *_pairs((0, 2), (1, 2))),
         usual("a chain", FOUR, *_pairs((0, 1), (1, 2), (2, 3))),

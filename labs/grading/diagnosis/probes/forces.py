@@ -29,6 +29,7 @@ def _euler() -> list[Probe]:
         usual("a long step", [1, -2, 3], [2, 1, -1], [-4, 3, 2], 3.0),
         edge("a step of no length", [1, -2, 3], [2, 1, -1], [-4, 3, 2], 0.0),
         edge("at rest, and nothing pushes", [1, -2, 3], REST, REST, 0.5),
+        edge("all in whole numbers", *map(np.array, ([0, 1, -2], [3, 0, -1], [0, 1, -9])), 0.5),
     ]
 
     def maker(draw: Draw) -> tuple[Any, ...]:
@@ -79,6 +80,7 @@ def _spring() -> list[Probe]:
         usual("it flies as a whole", HERE, THERE, [3, -1, 2], [3, -1, 2], 6.0, 2.0, 0.5),
         usual("it turns as a whole", HERE, THERE, [1, 2, 0], [-1, -2, 0], 6.0, 2.0, 0.5),
         usual("a strong damper", HERE, THERE, [-2, 1, 0], [0, 3, 1], 6.0, 2.0, 9.0),
+        usual("some micrometres long", [3e-6, 0, 4e-6], REST, *still, 10.0, 4e-6, 0.0),
         usual("a heavy damper on a spring at rest length", HERE, THERE, [-2, 1, 0], [0, 3, 1], 6.0, 3.0, 9.0),
         edge("at its rest length", HERE, THERE, *still, 6.0, 3.0, 0.5),
         edge("of no length", HERE, HERE, [1, 2, 3], REST, 6.0, 2.0, 0.5),

@@ -79,7 +79,7 @@ def _forces() -> list[Probe]:
         edge("one spring of three has no length", net(STAR, 1, 5, 1, [1] * 4), [FOUR[1], *FOUR[1:]], moving),
         edge("a rest length of zero", net(SPRING, 0, 10, 2, [1, 1]), TWO, [[1, 0, 0], REST]),
         edge("no springs", net([], 1, 1, 1, [1, 2]), TWO, STILL),
-        edge("two springs between the same two nodes", net([[0, 1], [1, 0]], [1, 3], [4, 6], 1, [1, 1]), TWO,
+        edge("two springs between the same two nodes", net([[0, 1], [0, 1]], [1, 3], [4, 6], 1, [1, 1]), TWO,
              [[1, 1, 0], REST]),
         edge("an immovable node", net(SPRING, 1, 10, 2, [INFINITY, 1], [0]), TWO, STILL),
         refused("an edge from a node to itself", net([[1, 1]], 1, 1, 1, [1, 1]), TWO, STILL),
@@ -139,7 +139,7 @@ def ends(pairs: Any) -> NDArray[np.int64]:
 def _bracing() -> list[Probe]:
     square, sides = [[1, 0, 0], [3, 0, 0], [3, 2, 0], [1, 2, 0]], ends([[0, 1], [1, 2], [3, 2], [0, 3]])
     both = ends([[0, 2], [1, 3]])
-    turned, cube = (np.array(CUBE) @ TURN.T + [1, -2, 3]), ends(CUBE_EDGES)
+    turned, cube = (np.array(CUBE) @ np.rint(7 * TURN).T + [1, -2, 3]), ends(CUBE_EDGES)
     ladder = [[x, y, 0] for x in (0.0, 1, 2) for y in (0.0, 1)]
     rungs = ends([[0, 1], [2, 3], [4, 5], [0, 2], [2, 4], [1, 3], [3, 5]])
     crosses = ends([[0, 3], [1, 2], [2, 5], [3, 4]])
@@ -156,6 +156,8 @@ def _bracing() -> list[Probe]:
         usual("an edge once more", tetrahedron, ends(six[:5]), ends([[1, 0], six[5]])),
         usual("a diagonal twice", square, sides, ends([[0, 2], [2, 0]])),
         edge("no edges yet", tetrahedron, ends([]), ends(six)),
+        edge("two nodes and no edge", [[1, 1, 1], [3, 1, 2]], ends([]), ends([[0, 1], [1, 0]])),
+        edge("a cube of a micrometre", 1e-6 * np.array(CUBE), cube, ends(FACES)),
         edge("no candidates", square, sides, ends([])),
         edge("nothing is missing", tetrahedron, ends(six), ends(six[::-1])),
         edge("three nodes on a line", [[0, 0, 0], [1, 2, 3], [2, 4, 6]], ends([[0, 1], [1, 2]]), ends([[0, 2]])),
@@ -167,12 +169,17 @@ def _bracing() -> list[Probe]:
     ]  # fmt: skip
 
     def maker(draw: Draw) -> Arguments:
-        """Some corners of a turned cube, with all springs between them in any order, of which some are there."""
+        """Some corners of a turned cube, with all springs between them in any order, of which some are there.
+
+        In whole numbers: springs of one length have it to the last digit, in whatever way it is computed.
+        """
         corners = draw.rng.choice(8, 6, replace=False)
         pairs = [[a, b] for a in range(6) for b in range(a + 1, 6)]
         order = draw.rng.permutation(len(pairs))
         pairs = [pairs[each][:: draw.sign()] for each in order]
-        places = (np.array(CUBE)[corners] * draw.number(0.5, 2)) @ draw.turn().T + draw.vector()
+        turn = draw.turn()
+        side = next(side for side in (3, 7, 9) if np.allclose(side * turn, np.rint(side * turn)))
+        places = np.array(CUBE)[corners] @ np.rint(side * turn).T + np.rint(draw.vector())
         return places, ends(pairs[:8]), ends(pairs[8:])
 
     return made("diagonals", by_hand, maker, single=range(3))
