@@ -147,7 +147,7 @@ def test_writing_into_arguments_is_noticed_if_the_numbers_are_right():
 
     found = diagnose("kinematic_response", of(in_place))
     assert (found.verdict, found.changes_input, found.right) == ("right", True, False)
-    assert "It writes into its arguments" in told(found)
+    assert "its answers are right, but it writes into its arguments" in told(found)
 
 
 def test_a_change_of_arguments_reported_by_the_process_counts():
