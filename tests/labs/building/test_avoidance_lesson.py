@@ -72,8 +72,8 @@ def test_a_body_with_a_lag_needs_three_quarters_of_the_force_of_one_without(expe
 
 
 def test_beside_a_wall_a_body_rests_where_the_field_carries_its_pull(experiments, text):
-    seek = experiments.beside_a_wall(lambda p, goal: solutions.avoidance.seek(p, goal, 1.0))
-    arrive = experiments.beside_a_wall(lambda p, goal: solutions.avoidance.arrive(p, goal, 1.0, 2.0))
+    seek = experiments.beside_a_wall(lambda p, goal: solutions.avoidance.seek(p, goal, 1.0))[-1][1]
+    arrive = experiments.beside_a_wall(lambda p, goal: solutions.avoidance.arrive(p, goal, 1.0, 2.0))[-1][1]
     assert seek == pytest.approx(1 - math.sqrt(2 / 8), abs=1e-4)
     assert 8 * (1 - arrive) ** 2 == pytest.approx(arrive - 0.2, abs=1e-4)  # of the model answer
     assert "follows s = 0.74 m" in text
