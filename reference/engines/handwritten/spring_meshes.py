@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from reference.arrays import Array
 from reference.engines.handwritten.loads import LoadsByHand
@@ -87,9 +88,12 @@ class _Mesh:
     def step_by_forces(self, time: float) -> None:
         """Step with the forces at the start of the step."""
         acceleration = self._acceleration(time, self.velocity)
-        self.place, self.velocity = self.function("mesh_step")(
-            self.mesh, self.place, self.velocity, acceleration, self.dt
-        )
+        self._take(self.function("mesh_step")(self.mesh, self.place, self.velocity, acceleration, self.dt))
+
+    def _take(self, state: tuple[ArrayLike, ArrayLike]) -> None:
+        """Keep the places and velocities that a function gave, which may be lists."""
+        place, velocity = state
+        self.place, self.velocity = np.asarray(place, dtype=float), np.asarray(velocity, dtype=float)
 
     def _acceleration(self, time: float, velocity: Array) -> Array:
         """What weight, pushes and the fluid make of the motion of each node, (n, 3), m/s²."""
@@ -146,9 +150,8 @@ class _Draping(_Mesh):
     def step_by_forces(self, time: float) -> None:
         """Step, and move the balls that the step has taken into the large one back onto it."""
         super().step_by_forces(time)
-        self.place, self.velocity = self.function("mesh_sphere_contact")(
-            self.mesh, self.place, self.velocity, self._centre, self._reach
-        )
+        contact = self.function("mesh_sphere_contact")
+        self._take(contact(self.mesh, self.place, self.velocity, self._centre, self._reach))
 
 
 class _Vibrating(_Solved):
