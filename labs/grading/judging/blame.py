@@ -22,7 +22,8 @@ NOT_EXPLAINED = "wrong"
 CALLS_WRONG, BESIDE_WRONG = "calls a wrong function", "tested with a wrong function"
 """Verdicts on functions that may be right: they call a wrong function, or all that they lost are runs that call one."""
 _OF_SHAPES = re.compile(r"shape|broadcast|dimension|out of bounds|not aligned")
-"""What is said of errors that an array of another shape than promised may bring about."""
+"""What is said of errors that an array of another shape than promised may bring about: they are not held against the
+caller of a function that gives one."""
 Failures = Sequence[tuple[str, str]]
 """Lost parts, each with what was tried and the answer."""
 
@@ -78,8 +79,7 @@ def certain(sheet: Sheet, name: str, uses: Collection[str]) -> Diagnosis | None:
 def without_answers(sheet: Sheet, name: str, uses: Collection[str], failures: Failures) -> Failures:
     """The failures of a function in which it gave no answer at all, or an error that it does not share with others.
 
-    They are its own even if one of the functions that it calls gives it wrong numbers, unless that one gives arrays of
-    another shape than promised, and the error may be due to that.
+    They are its own even if one of the functions that it calls gives it wrong numbers.
     """
     theirs = {own_words(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
     none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
