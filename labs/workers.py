@@ -10,13 +10,20 @@ from __future__ import annotations
 import importlib
 import logging
 import multiprocessing
+import os
 import platform
 import re
+import shutil
+import signal
+import tempfile
+import threading
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -32,22 +39,90 @@ _PATIENCE = 15
 """So long a scheduler may take to answer, s."""
 
 
+def _nothing() -> None:
+    pass
+
+
 @dataclass(frozen=True)
 class Workers:
-    """Who works. count: tasks at a time. pool: makes the workers, again if they are lost."""
+    """Who works. count: tasks at a time. pool: makes the workers, again if they are lost.
+
+    stop: ends them at once, where they are ours to end.
+    """
 
     count: int
     pool: Callable[[], Executor]
-
-
-def here(count: int) -> AbstractContextManager[Workers]:
-    """Processes of this machine."""
-    return _as_context(Workers(count, lambda: ProcessPoolExecutor(count, multiprocessing.get_context("spawn"))))
+    stop: Callable[[], None] = _nothing
 
 
 @contextmanager
-def _as_context(workers: Workers) -> Iterator[Workers]:
-    yield workers
+def here(count: int, folder: Path) -> Iterator[Workers]:
+    """Processes of this machine, which end with this one, however it ends.
+
+    folder: for all their temporary files. The caller sees to it that nobody else uses it: what an earlier run left
+    there is removed first, and everything at the end.
+    """
+    others = {*multiprocessing.active_children()}
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+
+    def pool() -> Executor:
+        begin = partial(_begin, str(folder.absolute()))
+        return ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), begin)
+
+    def stop() -> None:
+        ours = {*multiprocessing.active_children()} - others
+        for process in ours:
+            process.kill()
+        for process in ours:
+            process.join(_PATIENCE)
+
+    try:
+        yield Workers(count, pool, stop)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _begin(folder: str) -> None:
+    """Become a worker, in its process."""
+    tempfile.tempdir = folder
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, _wait_for_the_parent)
+        if hasattr(signal, "pthread_sigmask"):
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+    threading.Thread(target=_end_with_the_parent, daemon=True).start()
+
+
+def _wait_for_the_parent(*_: object) -> None:
+    """Ignore Ctrl-C, which a terminal sends to all processes at once: the parent decides when to stop.
+
+    It is a handler, and no "ignore", because processes that are started from here would inherit that.
+    """
+
+
+def _end_with_the_parent() -> None:
+    """End this process when the parent is gone, however it ended; what it has started notices that by itself.
+
+    A pipe that only the parent holds says so. The kernel's signal at a parent's death would come too early, when the
+    parent's *thread* ends that has started this process.
+    """
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+@contextmanager
+def starting_workers() -> Iterator[None]:
+    """A process that is started meanwhile begins with Ctrl-C blocked, until it is ready to ignore it."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def what_runs_here() -> dict[str, str]:
@@ -100,7 +175,8 @@ def on_cluster(address: str, alike: Callable[[], Mapping[str, str]] | None = Non
             raise InvalidInput(f"the cluster at {address} has no workers: start some with dask worker {address}")
         if alike is not None:
             refuse_others(alike(), client.run(alike, on_error="ignore"))  # one that has just died answers nothing
-        yield Workers(threads, lambda: client.get_executor(pure=False))
+        quiet = partial(logging.getLogger("distributed").setLevel, logging.ERROR)  # it warns of each task that is lost
+        yield Workers(threads, lambda: client.get_executor(pure=False), quiet)
     finally:
         client.close()
         if found is not None:

@@ -43,8 +43,10 @@ def check_file(content: str, file: Path, option: str) -> None:
 
 
 @contextlib.contextmanager
-def folder_for(content: str, folder: Path, option: str) -> Iterator[None]:
+def folder_for(content: str, folder: Path, option: str, private: bool = False) -> Iterator[None]:
     """Make a folder, and the folders above it, for what is written inside; remove the new ones that are still empty.
+
+    private: whether its owner alone may look into it, if it is new.
 
     Raises
     ------
@@ -55,7 +57,7 @@ def folder_for(content: str, folder: Path, option: str) -> Iterator[None]:
     try:
         with refused_in_words(content, folder, option):
             new += [each for each in (folder, *folder.parents) if not each.exists()]
-            folder.mkdir(parents=True, exist_ok=True)
+            folder.mkdir(mode=0o700 if private else 0o777, parents=True, exist_ok=True)
             _try(folder)
         yield
     finally:

@@ -26,7 +26,10 @@ def check(
         typer.Option(help="A topic; repeat for several. If you name none: those of which the file has functions."),
     ] = None,
     seconds: Annotated[
-        float, typer.Option(metavar="S", help="How long all of this may take; what is not tried by then says so.")
+        float,
+        typer.Option(
+            metavar="S", help="How long all of this may compute and sleep; what is not tried by then says so."
+        ),
     ] = SECONDS,
 ) -> None:
     """Check a notebook or a .py file: what is right, what is wrong and why, and what is to do.

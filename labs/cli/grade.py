@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -12,8 +13,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from labs.cli.console import errors, output
 from labs.gradebook import written
-from labs.gradebook.book import STUDENTS, Book, Failures, run
+from labs.gradebook.book import STUDENTS, WORKING, Book, Failures, run
 from labs.gradebook.class_grading import (
+    MARKS,
     Class,
     Marker,
     answers,
@@ -25,10 +27,12 @@ from labs.gradebook.class_grading import (
     write_tables,
 )
 from labs.gradebook.deadlines import Deadlines, read_deadlines
-from labs.gradebook.grading import Graded, Task, versions
+from labs.gradebook.for_a_person import left_to_do
+from labs.gradebook.grading import Graded, Task, refuse_other_versions, versions
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.course_bank import COURSE_BANK, read_bank
-from labs.gradebook.roster import read_roster
+from labs.gradebook.roster import Roster, read_roster
+from labs.gradebook.upload import target
 from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
 from labs.workers import Workers, here, on_cluster
@@ -37,6 +41,10 @@ from reference.errors import InvalidInput
 from reference.writable import folder_for, refused_in_words
 
 FAILED = 1
+MOST_LINES = 5
+"""So many lines of one kind are printed: a person has to read them."""
+MOST_LETTERS = 500
+"""Of one line."""
 
 
 def grade(
@@ -49,8 +57,15 @@ def grade(
         Path | None,
         typer.Option(metavar="CSV", help="Who is in the course: Canvas' or Moodle's file, or one of your own."),
     ] = None,
+    column: Annotated[
+        str,
+        typer.Option(
+            metavar="TITLE", help="The column of Canvas' gradebook, such as 'Lab 5 (88121)' or 88121; none for no file."
+        ),
+    ] = "",
     rules: Annotated[
-        Path | None, typer.Option(metavar="TOML", help="Deadlines, and what a late submission loses.")
+        Path | None,
+        typer.Option(metavar="TOML", help="Deadlines, what a late submission loses, and whom to ask about a mark."),
     ] = None,
     bank: Annotated[
         Path, typer.Option(metavar="DIR", help="The course's own bank: mistakes that you have named.")
@@ -58,7 +73,9 @@ def grade(
     release: Annotated[
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
-    seconds: Annotated[float, typer.Option(metavar="S", help="How long each submission may take.")] = SECONDS,
+    seconds: Annotated[
+        float, typer.Option(metavar="S", help="How long each submission may compute and sleep.")
+    ] = SECONDS,
     runs: Annotated[
         bool,
         typer.Option(help="Also run everybody's functions in the scenarios of the lab, beside the recorded engines."),
@@ -76,15 +93,22 @@ def grade(
     For example:  collisions grade submissions --lab impulse --roster canvas.csv --out grades
     """
     topic = lecture.topic(lab).name
-    found = read_class(folder, topic, read_roster(roster) if roster else None)
+    listed = read_roster(roster) if roster else Roster(())
+    to = target(listed, topic, column)
+    found = read_class(folder, topic, listed if roster else None)
     deadlines = read_deadlines(rules) if rules else Deadlines()
+    nobody = _deadlines_of_nobody(deadlines, found)
+    if nobody and roster:
+        raise InvalidInput(nobody)
     failures, book = Failures(), Book(out)
     read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
-    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1)
-    with machines as graders, folder_for("the grades", out, "--out"), book.alone():
+    machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1, out / WORKING)
+    home = folder_for("the grades", out, "--out", private=True)
+    with _resumable(book, found), home, book.alone(), machines as graders:
         gone = book.withdraw_others(found.handed, topic)
         _grade_all(book, found, tasks(found, release, seconds, runs), graders, failures)
-        written.write_questions(out, topic, answers(found, book))
+        code_alone = sum(map(written.is_code_alone, map(book.grade_of, found.handed)))
+        written.write_questions(out, topic, answers(found, book), code_alone)
         asked, place = written.questions(topic), out / written.FOLDER
         first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
         with refused_in_words("the course's bank", bank, "--bank"):
@@ -93,26 +117,51 @@ def grade(
         every = marks(found, marker)
         shared = shared_mistakes(every, marker, waiting)
         naming.write_waiting(out, shared, waiting, names)
-        tables, page = write_tables(out, found, every), write_pages(book, found, every, marker, shared)
+        tables = write_tables(out, found, every, to)
+        with _progress("Writing pages", len(every)) as advance:
+            page = write_pages(book, found, every, marker, shared, advance)
     graded = sum(mark.content is not None for mark in every)
     _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
-    for student in gone:
-        _say(f"The grade of {one_line(student)} is put away: nothing is handed in any more.")
-    for mark in every:
-        if mark.notes:
-            _say(one_line(f"{mark.student.id}: {'; '.join(mark.notes)}"))
-    for note in (*notes, *names.notes(topic)):
-        _say(one_line(note))
-    if shared:
-        several = f"{len(shared)} mistakes" if len(shared) > 1 else "One mistake"
-        _say(f"{several} without a name: see {out / naming.PAGE}, and write a name into {out / naming.FILE}.")
-    if left := sum(mark.open > 0 for mark in every):
-        _say(f"The written questions of {left} are to be marked: fill in {place / written.POINTS} and run this again.")
+    _say_all([f"The grade of {student} is put away: nothing is handed in any more." for student in gone])
+    _say_all([*notes, *names.notes(topic)])
+    todo = [*left_to_do(out, found, every, failures, shared), *[nobody] * bool(nobody)]
+    _say("For a person to do:" if todo else "Nothing is left for a person to do.")
+    for number, line in enumerate(todo, 1):
+        _say(f"{number}. {one_line(line, MOST_LETTERS)}")
     if said := written.agreement(first, second):
         _say(said)
-    _say(f"Marks: {', '.join(str(path) for path in tables)}")
-    _say(f"The class: {page}; each student's page is in {out / STUDENTS}.")
+    _say(one_line(f"To upload: {tables[-1]}, {to.said}." if to else f"Marks: {out / MARKS}.", MOST_LETTERS))
+    _say(f"If you are curious: {page} is about the class, and {out / STUDENTS} has a page for each student.")
     raise typer.Exit(FAILED if failures.said else 0)
+
+
+def _deadlines_of_nobody(deadlines: Deadlines, found: Class) -> str:
+    """That the rules name somebody whom nobody knows; empty if they do not."""
+    who = deadlines.without_student(found.students)
+    said = f"The rules give a deadline to {who}, but no student has this number; it is the course's own:"
+    said += " SIS User ID in Canvas' file, ID number in Moodle's, student_id in yours."
+    return said if who else ""
+
+
+def _say_all(lines: Sequence[str]) -> None:
+    for line in lines[:MOST_LINES]:
+        _say(one_line(line))
+    if len(lines) > MOST_LINES:
+        _say(f"And {len(lines) - MOST_LINES} others like this one.")
+
+
+@contextmanager
+def _resumable(book: Book, found: Class) -> Iterator[None]:
+    """Say after Ctrl-C what is kept, and how to continue."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        kept = sum(book.grade_of(student) is not None for student in found.handed)
+        _say(
+            f"Stopped. {kept} of {len(found.handed)} submissions have a grade, and all of these are kept. Run the same"
+            " command again: it continues with the others, and then writes marks and pages."
+        )
+        raise
 
 
 def _say(line: str) -> None:
@@ -121,21 +170,27 @@ def _say(line: str) -> None:
 
 def _grade_all(book: Book, found: Class, every: Iterator[Task], graders: Workers, failures: Failures) -> None:
     expected = versions(found.lab)
-    columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=errors, transient=True) as progress:
-        bar = progress.add_task("", total=len(found.handed))
+    with _progress("Grading", len(found.handed)) as advance:
 
         def todo() -> Iterator[Task]:
             for task in every:
                 if book.is_done(task):
-                    progress.advance(bar)
+                    advance()
                 else:
                     yield task
 
         def keep(graded: Graded) -> None:
-            if graded.content["identity"]["versions"] != expected:
-                raise InvalidInput("a worker has other versions of the lab or its packages than this machine")
+            refuse_other_versions(expected, graded.content["identity"]["versions"], found.lab)
             book.keep(graded)
-            progress.advance(bar)
+            advance()
 
-        run(todo(), graders, keep, failures)
+        run(todo(), graders, keep, failures, lambda: errors.print("Stopping; what is being written is finished …"))
+
+
+@contextmanager
+def _progress(what: str, total: int) -> Iterator[Callable[[], None]]:
+    """A bar with a name; what is yielded moves it on by one."""
+    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=errors, transient=True) as progress:
+        bar = progress.add_task("", total=total)
+        yield lambda: progress.advance(bar)

@@ -33,6 +33,8 @@ from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import FILE_LIMIT
 from reference.errors import InvalidInput
 
+EARLIER = "came before it"
+"""What a note says of earlier attempts, which need nobody."""
 MOST_FILES, DEEPEST = 5000, 6
 """So many files of one entry are looked at, in folders so deep. A release through the impulse lab has 841."""
 _NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
@@ -190,7 +192,7 @@ def _last(each: list[Arrival | Missing]) -> Arrival | Missing:
     *before, last = sorted(each, key=lambda one: (one.owner.attempt, one.entry))
     if before and isinstance(last, Arrival):
         names, are = ", ".join(one.entry for one in before), "is" if len(before) == 1 else "are"
-        note = f"{names} came before it and {are} not graded"
+        note = f"{names} {EARLIER} and {are} not graded"
         return replace(last, notes=(*last.notes, note))
     return last
 

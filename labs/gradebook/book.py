@@ -27,14 +27,16 @@ from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
 from labs.gradebook.locks import locked
-from labs.grading.errors import GraderFailed
+from labs.grading.errors import GraderFailed, MachineBusy
 from labs.grading.judging.grade import as_json, read_grade, write_private
-from labs.workers import Workers, lost
+from labs.workers import Workers, lost, starting_workers
 from reference.errors import InvalidInput
 
 STUDENTS, WITHDRAWN, PYTHON = "students", "withdrawn", "python"
 GRADE, MEASURED, RUNS = "grade.json", "measured.json", "runs.json"
 _LOCK = ".grading"
+WORKING = ".working"
+"""The folder of the workers' temporary files. It belongs to whoever holds the lock."""
 _SAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _AHEAD = 2
 """So many submissions wait for each worker: those further back are not read yet, so that memory does not grow."""
@@ -140,9 +142,19 @@ def _plain(path: Path) -> dict[str, Any]:
 
 @dataclass
 class Failures:
-    """Tasks that could not be graded, for no fault of the submission: the student's number, and why."""
+    """Tasks that could not be graded, for no fault of the submission: the student's number, and why.
+
+    busy: those for which the machine was too busy.
+    """
 
     said: dict[str, str] = field(default_factory=dict)
+    busy: set[str] = field(default_factory=set)
+
+    def add(self, student: str, error: GraderFailed) -> None:
+        """Note why a submission could not be graded."""
+        self.said[student] = str(error)
+        if isinstance(error, MachineBusy):
+            self.busy.add(student)
 
 
 def run(
@@ -150,10 +162,12 @@ def run(
     workers: Workers,
     keep: Callable[[Graded], None],
     failures: Failures,
+    stopping: Callable[[], None] = lambda: None,
 ) -> None:
     """Grade tasks in worker processes, each once; `keep` gets every grade as soon as it is there.
 
-    A task that was running when a worker died is tried once more, by itself, so that it takes no other with it.
+    A task that was running when a worker died is tried once more, by itself, so that it takes no other with it. On
+    Ctrl-C the workers are ended at once, and what they have finished is kept; `stopping` is called before.
     """
     dead = lost()
     waiting, alone = iter(tasks), deque[Task]()
@@ -166,20 +180,27 @@ def run(
             if not running:
                 break
             for future in wait(running, return_when=FIRST_COMPLETED).done:
-                task = running.pop(future)
+                task = running[future]
                 try:
                     keep(future.result())
                 except dead:
                     alone.append(task)
                 except GraderFailed as error:
-                    failures.said[task.student] = str(error)
+                    failures.add(task.student, error)
+                del running[future]
         for task in alone:
             try:
                 keep(workers_now.submit(task).result())
             except dead:
                 failures.said[task.student] = "the process that graded it died twice"
             except GraderFailed as error:
-                failures.said[task.student] = str(error)
+                failures.add(task.student, error)
+    except KeyboardInterrupt:
+        stopping()
+        workers.stop()
+        for future in [each for each in running if each.done() and not each.cancelled() and not each.exception()]:
+            keep(future.result())
+        raise
     finally:
         for future in running:
             future.cancel()
@@ -194,9 +215,10 @@ class _Pool:
 
     def submit(self, task: Task) -> Future[Graded]:
         """Begin to grade a task."""
-        try:
-            return self.executor.submit(grade_one, task)
-        except BrokenProcessPool:
-            self.executor.shutdown(wait=False)
-            self.executor = self._make()
-            return self.executor.submit(grade_one, task)
+        with starting_workers():
+            try:
+                return self.executor.submit(grade_one, task)
+            except BrokenProcessPool:
+                self.executor.shutdown(wait=False)
+                self.executor = self._make()
+                return self.executor.submit(grade_one, task)

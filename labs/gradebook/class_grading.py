@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from labs.assessment.shares import QUESTIONS, SHARES
+from labs.assessment.shares import CODE, QUESTIONS, SHARES
 from labs.gradebook.arrivals import Arrival, Missing, arrivals
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import Deadlines
@@ -19,11 +19,12 @@ from labs.gradebook.mistakes.entries import Entry
 from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.runs_compared import compared, spreads
-from labs.gradebook.tables import Mark, for_platform, junit, plain_table
-from labs.gradebook.written import Codes, Given, Question, given_to
+from labs.gradebook.tables import Mark, junit, plain_table
+from labs.gradebook.upload import Target, filled
+from labs.gradebook.written import Codes, Given, Question, given_to, is_code_alone
 from labs.grading.judging.grade import write_private
 
-FEEDBACK, CLASS = "feedback.html", "class.html"
+FEEDBACK, CLASS, MARKS = "feedback.html", "class.html", "grades.csv"
 
 
 @dataclass
@@ -155,6 +156,8 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
         left = SHARES[QUESTIONS]
     else:
         points += share * SHARES[QUESTIONS]
+    if is_code_alone(content):
+        notes.append(f"a Python file, which holds no written answers: {SHARES[CODE]} points at most")
     return Mark(student, found.lab, points, left, late, content, tuple(notes))
 
 
@@ -164,10 +167,14 @@ def shared_mistakes(every: Sequence[Mark], marker: Marker, waiting: Sequence[Ent
     return clusters(contents, marker.book.code_of, waiting, [entry.id for entry in marker.bank.entries])
 
 
-def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker, shared: Sequence[Cluster]) -> Path:
+def write_pages(
+    book: Book, found: Class, every: Sequence[Mark], marker: Marker, shared: Sequence[Cluster],
+    done: Callable[[], None] = lambda: None,
+) -> Path:  # fmt: skip
     """Write a page for each student who handed something in, and that of the class, and say where the latter is.
 
-    shared: the mistakes without a name; a page of their own, for instructors, has what is not for the class.
+    shared: the mistakes without a name; a page of their own, for instructors, has what is not for the class. done: is
+    called when the page of another student is written.
     """
     measured, ran = {}, []
     for mark in every:
@@ -175,25 +182,22 @@ def write_pages(book: Book, found: Class, every: Sequence[Mark], marker: Marker,
         if mark.content is not None:
             given = {key: points for (key, each), points in marker.given.items() if each == code}
             runs = book.runs_of(mark.student.id) or []
-            write_private(place / FEEDBACK, student_page(mark, marker.asked, given, compared(runs, found.lab)))
+            page = student_page(mark, marker.asked, given, compared(runs, found.lab), marker.deadlines)
+            write_private(place / FEEDBACK, page)
             measured[code] = book.seconds(mark.student.id)
             ran.append(runs)
-    page = book.folder / CLASS
-    write_private(page, class_page(found.lab, every, measured, spreads(ran, found.lab), shared))
+        done()
+    of_class = book.folder / CLASS
+    write_private(of_class, class_page(found.lab, every, measured, spreads(ran, found.lab), shared))
     write_private(book.folder / naming.PAGE, clusters_page(found.lab, shared))
-    return page
+    return of_class
 
 
-def write_tables(folder: Path, found: Class, every: Sequence[Mark]) -> list[Path]:
-    """Write the marks in each form, and say where."""
-    texts = {
-        "grades.csv": plain_table(every),
-        "grades.xml": junit(every),
-        f"{found.roster.kind.lower()}.csv": for_platform(found.roster, every, found.lab),
-    }
-    written = []
+def write_tables(folder: Path, found: Class, every: Sequence[Mark], to: Target | None) -> list[Path]:
+    """Write the marks in each form, and say where: last the file for the platform, if there is a column for them."""
+    texts = {MARKS: plain_table(every), "grades.xml": junit(every)}
+    if to is not None:
+        texts[f"{to.platform.lower()}.csv"] = filled(found.roster, every, to)
     for name, text in texts.items():
-        if text is not None:
-            write_private(folder / name, text)
-            written.append(folder / name)
-    return written
+        write_private(folder / name, text)
+    return [folder / name for name in texts]

@@ -1,4 +1,4 @@
-"""Deadlines, and what a late submission loses, by the rules of a small TOML file.
+"""The rules of a course, in a small TOML file: deadlines, what a late submission loses, and whom to ask about a mark.
 
 [due]
 impulse = 2026-11-30T23:59:00+01:00
@@ -11,22 +11,31 @@ most_days = 5           # later than that, nothing is left
 
 [due.students.4711]     # deadlines of one student, by number
 impulse = 2026-12-07T23:59:00+01:00
+
+[regrade]               # whom to ask about a mark: said on each student's page
+contact = "Ada Byron, ada@example.org"
+days = 14               # so long a student may ask; without it no time is named
 """
 
 from __future__ import annotations
 
+import difflib
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+from labs.gradebook.roster import Student, plain
 from reference import checks, lecture
-from reference.errors import InvalidInput, UnknownName
+from reference.errors import InvalidInput, UnknownName, listed
 
 DAY = timedelta(days=1)
+NOTHING_OFF = "nothing is taken off"
+CALLED_LATE = f"late, says the platform, but not by how much: {NOTHING_OFF}"
+ANYONE = "your instructor"
 _STUDENTS = "students"
 
 
@@ -44,7 +53,8 @@ class Deadlines:
     """The rules of a course.
 
     due: by lab. own: by a student's number, deadlines by lab. grace: that is still in time. free_days: that cost
-    nothing. percent: of the points that each further day costs. most_days: after which nothing is left.
+    nothing. percent: of the points that each further day costs. most_days: after which nothing is left. contact: whom
+    a student asks about a mark. days_to_ask: for how long; None if the course names no time.
     """
 
     due: Mapping[str, datetime] = field(default_factory=dict)
@@ -53,6 +63,8 @@ class Deadlines:
     free_days: int = 0
     percent: float = 0.0
     most_days: int | None = None
+    contact: str = ANYONE
+    days_to_ask: int | None = None
 
     def of(self, student: str, lab: str) -> datetime | None:
         """The deadline of a student in a lab; None if there is none."""
@@ -65,7 +77,7 @@ class Deadlines:
         """
         due = self.of(student, lab)
         if due is None or received is None:
-            return Lateness(said="late, says the platform, but not by how much") if called_late else Lateness()
+            return Lateness(said=CALLED_LATE) if called_late else Lateness()
         over = received - due
         if over <= self.grace:
             return Lateness()
@@ -74,7 +86,24 @@ class Deadlines:
         gone = self.most_days is not None and begun > self.most_days
         share = 0.0 if gone else max(0.0, 1 - self.percent / 100 * days)
         free = f", {min(begun, self.free_days)} of them free" if self.free_days else ""
-        return Lateness(days, share, f"{begun} {'day' if begun == 1 else 'days'} late{free}")
+        off = f": {NOTHING_OFF}" if share == 1 and not free else ""
+        return Lateness(days, share, f"{begun} {'day' if begun == 1 else 'days'} late{free}{off}")
+
+    def without_student(self, students: Collection[Student]) -> str:
+        """Who has a deadline of their own and is none of these students, with similar ones; empty if nobody is."""
+        known = {student.id for student in students}
+        return listed([_nobody(number, students) for number in self.own if number not in known])
+
+
+def _nobody(number: str, students: Collection[Student]) -> str:
+    """A number that no student has, and the students who may be meant: the same by another name, or a similar one."""
+    by_word: dict[str, Student] = {}
+    for each in students:
+        others = [key for keys in each.keys.values() for key in keys]
+        by_word |= {plain(word): each for word in (*others, each.name, each.email, each.id) if word}
+    meant = [by_word[word] for word in difflib.get_close_matches(plain(number), by_word, 3, 0.7)]
+    shown = " or ".join(f"{each.id} ({each.name})" if each.name else each.id for each in dict.fromkeys(meant))
+    return f"{number!r} (perhaps {shown})" if shown else repr(number)
 
 
 def read_deadlines(path: Path) -> Deadlines:
@@ -91,22 +120,28 @@ def read_deadlines(path: Path) -> Deadlines:
         raise InvalidInput(f"cannot read the rules {str(path)!r}: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise InvalidInput(f"{str(path)!r} is no TOML file: {error}") from None
-    _only(content, {"due", "late"}, "the rules")
-    due, late = dict(_table(content, "due")), _table(content, "late")
+    _only(content, {"due", "late", "regrade"}, "the rules")
+    due, late, ask = dict(_table(content, "due")), _table(content, "late"), _table(content, "regrade")
     students = _table(due, _STUDENTS)
     due.pop(_STUDENTS, None)
     _only(late, set(_LATE), "[late]")
-    most = late.get("most_days")
+    _only(ask, set(_REGRADE), "[regrade]")
+    contact = ask.get("contact", ANYONE)
+    if not isinstance(contact, str):
+        raise InvalidInput(f"contact is {contact!r} in the rules; it is a text in quotes")
     return Deadlines(
         _moments(due),
         {str(number): _moments(_table(students, number)) for number in students},
         timedelta(minutes=_number(late, "grace_minutes")),
         int(_number(late, "free_days")),
         100 * checks.fraction("percent_per_day / 100", _number(late, "percent_per_day") / 100),
-        None if most is None else int(_number(late, "most_days")),
+        int(_number(late, "most_days")) if "most_days" in late else None,
+        contact,
+        int(_number(ask, "days")) if "days" in ask else None,
     )
 
 
+_REGRADE = ("contact", "days")
 _LATE = ("grace_minutes", "free_days", "percent_per_day", "most_days")
 
 

@@ -15,6 +15,7 @@ import platform
 import tempfile
 import threading
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -96,6 +97,40 @@ def versions(lab: str) -> dict[str, str]:
     }
 
 
+_WORDS = {"tests": "the tests", "known mistakes": "the known mistakes", "collisions-lab": "the lab"}
+"""What `versions` has by other names, or needs an article."""
+
+
+def refuse_other_versions(before: Mapping[str, str], worker: Mapping[str, str], lab: str) -> None:
+    """Refuse a grade that was not made with what the others of the class were made with.
+
+    before: the versions when the run began. worker: those that the grade was made with.
+
+    Raises
+    ------
+    InvalidInput
+        If they differ, because files were edited meanwhile, or because the worker of a cluster has other ones.
+    """
+    if worker == before:
+        return
+    now = versions(lab)
+    if edited := [name for name in before if now[name] != before[name]]:
+        raise InvalidInput(
+            f"{' and '.join(_WORDS.get(name, name) for name in edited)} of {lab} were changed while the class was being"
+            " graded, so not all grades would be made alike. Grades that are finished are kept. When the files are as"
+            " you want them, run the same command again: it grades everything again that was graded with others"
+        )
+    others = [
+        f"{_WORDS.get(name, name)} {worker.get(name, 'missing')[:12]}"
+        for name in before
+        if worker.get(name) != before[name]
+    ]
+    raise InvalidInput(
+        f"a worker has other versions than this machine: {', '.join(others)}. Install the same lab and packages there,"
+        " and run the same command again"
+    )
+
+
 _ONE_AT_A_TIME = threading.Lock()
 """Of a worker with several threads: pytest runs once in a process."""
 
@@ -126,7 +161,10 @@ def _grade(task: Task) -> Graded:
             }
             content["points"] = round(marks.total, 4)
             content["answers"] = answers_in(path, [question.key for question in questions(task.lab)])
-            runs = scenario_runs.run(path, task.lab, _grader()) if task.with_runs else None
+            runs = scenario_runs.run(path, task.lab, _grader(), task.seconds) if task.with_runs else None
+    content["identity"]["versions"] = versions(
+        task.lab
+    )  # which differ from those before if a test was edited meanwhile
     measured = {
         "seconds": time.monotonic() - began,
         "processor_seconds": time.process_time() - processor,

@@ -10,22 +10,22 @@ from __future__ import annotations
 import statistics
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import jinja2
 
-from labs.assessment.shares import SHARES
+from labs.assessment.shares import CODE, SHARES
+from labs.gradebook.deadlines import Deadlines
+from labs.gradebook.in_common import items, mistakes, weakest
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster
 from labs.gradebook.runs_compared import Compared, Spread
 from labs.gradebook.similarity import right_code
 from labs.gradebook.tables import Mark
-from labs.gradebook.written import Given, Question
+from labs.gradebook.written import Given, Question, is_code_alone
 from labs.grading.diagnosis.deviations import Answer
 from labs.grading.diagnosis.fingerprints.reading import known
-from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.output_names import output_names
 from labs.grading.diagnosis.unnamed import single_cases
 from labs.grading.diagnosis.words import answered, called
@@ -39,33 +39,9 @@ LOOK = {
 }  # fmt: skip
 """Verdicts in words for a student; every other one is `not right yet`."""
 NOT_YET = "not right yet"
+_NO_RULES = Deadlines()
 BINS = 10
 """Of the distribution of points."""
-
-
-@dataclass(frozen=True)
-class Item:
-    """How a class did in one function. share: of the points that were reached. right: students who have it right.
-
-    tells: how far the function separates strong students from weak ones, the correlation of its points with all the
-    others', −1 to 1; None if everybody has the same points.
-    """
-
-    name: str
-    step: int
-    right: int
-    tried: int
-    share: float
-    tells: float | None
-
-
-@dataclass(frozen=True)
-class Mistake:
-    """A known mistake, how many students made it, and the wrong formula's description."""
-
-    id: str
-    students: int
-    rationale: str
 
 
 def student_page(
@@ -73,9 +49,12 @@ def student_page(
     asked: Sequence[Question],
     given: Mapping[str, Given],
     runs: Sequence[Compared] = (),
-    contact: str = "your instructor",
+    rules: Deadlines = _NO_RULES,
 ) -> str:
-    """What a student reads. given: by question, the points and comments that a person gave. runs: in scenarios."""
+    """What a student reads. given: by question, the points and comments that a person gave. runs: in scenarios.
+
+    rules: of the course, which say whom to ask about a mark.
+    """
     content = mark.content or {}
     kinds = {
         kind: (found["reached"], found["possible"], SHARES[kind]) for kind, found in content.get("marks", {}).items()
@@ -87,7 +66,7 @@ def student_page(
     ]
     return _environment().get_template("student.html.j2").render(
         mark=mark, title=lecture.topic(mark.lab).title, kinds=kinds, functions=functions, asked=asked, given=given,
-        content=content, contact=contact, runs=runs,
+        content=content, rules=rules, runs=runs, code_alone=is_code_alone(content), shares=SHARES,
     )  # fmt: skip
 
 
@@ -107,11 +86,13 @@ def class_page(
     scores = [mark.raw for mark in graded if mark.raw is not None]
     bins = Counter(min(BINS - 1, int(score / 100 * BINS)) for score in scores)
     contents = [mark.content for mark in graded if mark.content]
-    found = items(lab, contents)
+    found, known = items(lab, contents), mistakes(contents)
     return _environment().get_template("class.html.j2").render(
         title=lecture.topic(lab).title, students=len(marks), graded=len(graded), bins=[bins[at] for at in range(BINS)],
         median=statistics.median(scores) if scores else None, items=found, weakest=weakest(found),
-        mistakes=mistakes(contents), unnamed=[(len(each.students), each.function) for each in shared], runs=runs,
+        mistakes=[each for each in known if each.students > 1], alone=sum(each.students == 1 for each in known),
+        code_alone=sum(map(is_code_alone, contents)), most=SHARES[CODE],
+        unnamed=[(len(each.students), each.function) for each in shared], runs=runs,
         slowest=sorted(measured.items(), key=lambda each: -each[1])[:5],
     )  # fmt: skip
 
@@ -136,55 +117,6 @@ def _beside_the_right_one(found: Cluster) -> dict[str, Any]:
         "tried": called(known(found.function).parameters, probe.arguments, found.function),
         "physics": answered(Answer(), right, output_names(found.function))[1],
     }  # fmt: skip
-
-
-def items(lab: str, contents: Sequence[Mapping[str, Any]]) -> list[Item]:
-    """How the class did in each function of the lab."""
-    found = []
-    for entry in lecture.functions_of(lab):
-        if entry.role != "written":
-            continue
-        mine, others, right, tried = [], [], 0, 0
-        for content in contents:
-            for each in content.get("functions", []):
-                if each["name"] == entry.name and each["possible"]:
-                    mine.append(each["got"] / each["possible"])
-                    others.append(content["got"] - each["got"])
-                    right += each["verdict"] == "right"
-                    tried += each["verdict"] != "unwritten"
-        share = statistics.fmean(mine) if mine else 0.0
-        found.append(Item(entry.name, entry.step, right, tried, share, _correlation(mine, others)))
-    return found
-
-
-def weakest(found: Sequence[Item]) -> Item | None:
-    """What to teach again: the function that the most students tried and did not get right."""
-    return max(
-        (each for each in found if each.tried > each.right), key=lambda each: each.tried - each.right, default=None
-    )
-
-
-def mistakes(contents: Sequence[Mapping[str, Any]]) -> list[Mistake]:
-    """The mistakes with a name that students made, the most common first. A student counts once for each."""
-    counts = Counter(
-        known
-        for content in contents
-        for each in content.get("functions", [])
-        for known in dict.fromkeys(each["mistakes"])
-    )
-    texts = {entry.id: entry.rationale for entry in read_bank()}
-    for each in (each for content in contents for each in content.get("functions", []) if "named_by_course" in each):
-        texts[each["mistakes"][0]] = each["named_by_course"]["title"]
-    return [
-        Mistake(known, count, texts.get(known, ""))
-        for known, count in sorted(counts.items(), key=lambda each: (-each[1], each[0]))
-    ]
-
-
-def _correlation(one: Sequence[float], other: Sequence[float]) -> float | None:
-    if len(one) < 3 or len(set(one)) == 1 or len(set(other)) == 1:
-        return None
-    return statistics.correlation(one, other)
 
 
 def _environment() -> jinja2.Environment:

@@ -21,9 +21,11 @@ from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, 
 from reference.errors import InvalidInput
 
 MOST_BYTES = 10 * 2**20
+BYTE_ORDER_MARK = "\ufeff"
 _CANVAS, _MOODLE, _PLAIN = ("Student", "ID"), ("Identifier", "Full name"), ("student_id",)
 _PARTICIPANT = re.compile(r"^\D*(\d+)$")
-_NO_STUDENT = ("points possible", "student, test")
+POINTS_POSSIBLE = "points possible"
+_NO_STUDENT = (POINTS_POSSIBLE, "student, test")
 """In Canvas' file: a line of the points, and a student who exists for trying."""
 
 
@@ -41,7 +43,8 @@ class Student:
 class Roster:
     """All students. kind: whose file it was. header, lines: what the file says, to be filled in and given back.
 
-    places: the line of each student, from 0.
+    places: the line of each student, from 0. newline, mark: how its lines end, and the byte-order mark that it began
+    with, empty if it had none.
     """
 
     students: tuple[Student, ...]
@@ -49,6 +52,8 @@ class Roster:
     header: tuple[str, ...] = ()
     lines: tuple[tuple[str, ...], ...] = field(default=(), repr=False)
     places: tuple[int, ...] = ()
+    newline: str = "\n"
+    mark: str = ""
 
     def owner(self, owner: Owner, email: str = "") -> Student | None:
         """The student whom a platform's name of a submission means; None if it means nobody, or several.
@@ -75,31 +80,33 @@ def read_roster(path: Path) -> Roster:
         If the file is missing, is no CSV file with such columns, or names a student twice.
     """
     try:
-        text = path.read_bytes()[: MOST_BYTES + 1].decode("utf-8-sig")
+        read = path.read_bytes()[: MOST_BYTES + 1].decode("utf-8")
     except OSError as error:
         raise InvalidInput(f"cannot read the roster {str(path)!r}: {error.strerror}") from None
     except UnicodeDecodeError:
         raise InvalidInput(f"{str(path)!r} is not UTF-8 text: save the roster as CSV in UTF-8") from None
+    text = read.removeprefix(BYTE_ORDER_MARK)
     if len(text) > MOST_BYTES:
         raise InvalidInput(f"{str(path)!r} has more than 10 MB: a roster is smaller")
     try:
-        header, *lines = list(csv.reader(io.StringIO(text, newline=""), strict=True)) or [[]]
+        written, *lines = list(csv.reader(io.StringIO(text, newline=""), strict=True)) or [[]]
     except csv.Error as error:
         raise InvalidInput(f"{str(path)!r} is no CSV file: {error}") from None
-    header = [each.strip() for each in header]
+    header = [each.strip() for each in written]
     kind = next((kind for kind, needs in _KINDS.items() if set(needs) <= set(header)), None)
     if kind is None:
         needed = " or ".join(", ".join(needs) for needs in _KINDS.values())
         raise InvalidInput(f"{str(path)!r} has the columns {', '.join(header)}; a roster has {needed}")
     rows = [dict(zip(header, line, strict=False)) for line in lines]
-    read = {place: _READERS[kind](row) for place, row in enumerate(rows) if any(row.values())}
-    kept = {place: each for place, each in read.items() if each.id and plain(each.name) not in _NO_STUDENT}
+    people = {place: _READERS[kind](row) for place, row in enumerate(rows) if any(row.values())}
+    kept = {place: each for place, each in people.items() if each.id and plain(each.name) not in _NO_STUDENT}
     ids = [each.id for each in kept.values()]
     if twice := next((each for each in ids if ids.count(each) > 1), ""):
         raise InvalidInput(f"{str(path)!r} has the student {twice!r} twice")
     if not kept:
         raise InvalidInput(f"{str(path)!r} names no student")
-    return Roster(tuple(kept.values()), kind, tuple(header), tuple(map(tuple, lines)), tuple(kept))
+    newline, mark = "\r\n" if text.partition("\n")[0].endswith("\r") else "\n", read[: len(read) - len(text)]
+    return Roster(tuple(kept.values()), kind, tuple(written), tuple(map(tuple, lines)), tuple(kept), newline, mark)
 
 
 def of_everybody(owners: Iterable[Owner]) -> Roster:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from labs.gradebook.own_words import in_our_words
 from labs.gradebook.runs_figure import figure
 from labs.gradebook.scenario_runs import HANDWRITTEN, RUNS, Asked, result
 from reference.catalogue.family import Quantity
@@ -52,8 +53,8 @@ class Compared:
 class Spread:
     """What a class measured in one run. right: students whose number is as it must be. measured: who have a number.
 
-    without: why others have none, and how many. picture: an SVG element. in_words: the same for those who do not see
-    it.
+    without: why others have none, in our own words, and how many. picture: an SVG element. in_words: the same for those
+    who do not see it.
     """
 
     title: str
@@ -136,7 +137,7 @@ def _spread(asked: Asked, results: Sequence[JobResult]) -> Spread:
     marks = {"theory": theory} | {_plain(each): _measured(each, quantity) for each in _engines(asked)}
     known = {name: value for name, value in marks.items() if value is not None}
     missing = Counter(
-        next((row.note for row in own.rows if row.note), NO_NUMBER)
+        in_our_words(next((row.note for row in own.rows if row.note), ""))
         for own, row in zip(results, rows, strict=True)
         if row is None or row.measured is None
     )

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from labs.grading.budget import Budget
+from labs.grading.budget import SHARE, Budget
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.calling.scenario_runs import TIMESTEP, Mixed
 from labs.grading.diagnosis.probes.one_case import one_case
@@ -35,8 +35,6 @@ from reference.scene.settings import Settings
 from reference.viewer.poses import poses_of
 from reference.viewer.tracks import Track, pack
 
-SECONDS = 20.0
-"""So long all runs of one submission may take."""
 YOURS, HANDWRITTEN = "yours", "handwritten"
 
 
@@ -76,20 +74,23 @@ RUNS: Mapping[str, tuple[Asked, ...]] = {
 """What the submissions of a lab run: first scenarios alone, so a case whose number is a share of many is left out."""
 
 
-def run(path: Path, lab: str, grader: Grader) -> list[dict[str, Any]]:
+def run(path: Path, lab: str, grader: Grader, seconds: float) -> list[dict[str, Any]]:
     """Run a submission in the scenarios of its lab; plain data, one entry for each run, which `result` reads.
+
+    seconds: that the submission has for its tests; all its runs together have a third as long, besides.
 
     Raises
     ------
     UnreadableSubmission, GraderFailed
-        If the file cannot be read, or a process failed for no fault of the submission.
+        If the file cannot be read, or a process failed for no fault of the submission; `MachineBusy` is one of these.
     """
     names = [entry.name for entry in lecture.functions_of(lab) if entry.role == "written"]
-    found = []
-    with Remote(read(path, names), grader, Budget(SECONDS)) as remote:
+    found, budget = [], Budget(seconds * SHARE)
+    with Remote(read(path, names), grader, budget) as remote:
         for asked in RUNS.get(lab, ()):
             with remote.fresh() as call:
                 found.append(_one(asked, Mixed(call=call, topic=lab, one_case=one_case)))
+    budget.refuse_if_cut()  # a comparison turns errors into rows
     return found
 
 

@@ -1,4 +1,4 @@
-"""Marks as files that platforms take: CSV for Canvas and Moodle, a plain table, JUnit XML, and code for comparison.
+"""Marks as a plain table and as JUnit XML. What Canvas and Moodle take back is made in `upload`.
 
 Threat: names and messages are hostile text. A cell that a spreadsheet would take for a formula begins with an
 apostrophe; characters that XML cannot hold are left out.
@@ -15,8 +15,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from labs.gradebook.deadlines import Lateness
-from labs.gradebook.layouts import CANVAS, MOODLE
-from labs.gradebook.roster import Roster, Student
+from labs.gradebook.roster import Student
 from labs.grading.safe_text import plain
 
 OUT_OF = 100.0
@@ -52,7 +51,12 @@ class Mark:
 def defused(text: str) -> str:
     """Text on one line that no spreadsheet takes for a formula, with hidden characters made visible."""
     bare = re.sub(r"[\r\n]+", " ", plain(text))
-    return f"'{bare}" if text.startswith(_FORMULA) or bare.startswith(_FORMULA) else bare
+    return f"'{bare}" if runs_as_formula(text) or runs_as_formula(bare) else bare
+
+
+def runs_as_formula(text: str) -> bool:
+    """Whether a spreadsheet may take a cell for a formula: it may leave out blanks at the start."""
+    return text.startswith(_FORMULA) or text.lstrip().startswith(_FORMULA)
 
 
 def plain_table(marks: Iterable[Mark]) -> str:
@@ -63,31 +67,10 @@ def plain_table(marks: Iterable[Mark]) -> str:
 def _line(mark: Mark) -> list[str]:
     raw, score = mark.raw, mark.score
     return [
-        defused(mark.student.id), defused(mark.student.name), mark.lab, _number(raw),
-        _number(None if raw is None or score is None else raw - score), _number(score), _number(OUT_OF),
-        _number(mark.open), defused(mark.late.said), defused("; ".join(mark.notes)),
+        defused(mark.student.id), defused(mark.student.name), mark.lab, number(raw),
+        number(None if raw is None or score is None else raw - score), number(score), number(OUT_OF),
+        number(mark.open), defused(mark.late.said), defused("; ".join(mark.notes)),
     ]  # fmt: skip
-
-
-def for_platform(roster: Roster, marks: Iterable[Mark], lab: str) -> str | None:
-    """The roster's own file with the marks filled in, as Canvas or Moodle takes it back; None for a plain roster."""
-    if roster.kind not in (CANVAS, MOODLE):
-        return None
-    by_id = {mark.student.id: mark for mark in marks}
-    column = _column(roster, lab)
-    header = [*roster.header, *([column] if column not in roster.header else [])]
-    lines = [[defused(cell) for cell in line] + [""] * (len(header) - len(line)) for line in roster.lines]
-    for place, student in zip(roster.places, roster.students, strict=True):
-        mark = by_id.get(student.id)
-        lines[place][header.index(column)] = _number(mark.score if mark else None)
-    return _csv(header, lines)
-
-
-def _column(roster: Roster, lab: str) -> str:
-    """The column of the marks: Moodle's worksheet has one, and Canvas' file one for each assignment."""
-    if roster.kind == MOODLE:
-        return "Grade"
-    return next((name for name in roster.header if lab in name.casefold()), lab)
 
 
 def junit(marks: Iterable[Mark]) -> str:
@@ -113,7 +96,8 @@ def _fit(text: str) -> str:
     return _NOT_XML.sub("", str(text))
 
 
-def _number(value: float | None) -> str:
+def number(value: float | None) -> str:
+    """A number of points with up to two decimals; empty if there is none."""
     return "" if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
 
 

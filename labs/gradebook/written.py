@@ -19,6 +19,7 @@ import secrets
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import jinja2
 
@@ -83,6 +84,14 @@ def answers_in(path: Path, keys: Iterable[str]) -> dict[str, str]:
     return found
 
 
+def is_code_alone(content: Mapping[str, Any] | None) -> bool:
+    """Whether a graded file is a Python file, which has no cells of text and so no written answers."""
+    if content is None or "unreadable" in content:
+        return False
+    file = str(content.get("identity", {}).get("file", ""))
+    return file.lower().endswith(".py") and not any(content.get("answers", {}).values())
+
+
 class Codes:
     """Short codes in place of names, from a secret that is kept with the grades."""
 
@@ -105,8 +114,10 @@ class Codes:
         return hmac.new(self._secret, text.encode("utf-8", "surrogatepass"), hashlib.sha256).digest()
 
 
-def write_questions(folder: Path, lab: str, answers: Mapping[str, Mapping[str, str]]) -> None:
+def write_questions(folder: Path, lab: str, answers: Mapping[str, Mapping[str, str]], code_alone: int = 0) -> None:
     """Write the pages and the tables. answers: by student, what each question got.
+
+    code_alone: how many of the students handed in a Python file, which holds no answers.
 
     Raises
     ------
@@ -121,7 +132,8 @@ def write_questions(folder: Path, lab: str, answers: Mapping[str, Mapping[str, s
     for question in asked:
         students = [each for each in codes.order(answers, question.key) if answers[each].get(question.key)]
         shown = [(codes(student), answers[student][question.key]) for student in students]
-        write_private(place / f"{question.key}.html", template.render(question=question, answers=shown))
+        page = template.render(question=question, answers=shown, students=len(answers), code_alone=code_alone)
+        write_private(place / f"{question.key}.html", page)
         lines += [(question.key, code, question.points) for code, _ in shown]
     sample = [line for number, line in enumerate(lines) if number % SAMPLE == 0]
     for name, each in ((POINTS, lines), (SECOND, sample)):

@@ -30,14 +30,15 @@ class FunctionMissing(StudentError, NeedsFunction):
 class FunctionRaised(StudentError):
     """The function raised an exception.
 
-    kind: the exception's type. line: of the submission's text, counted from 1, or None where it is not known.
+    kind: the exception's type. line: of the submission's text, counted from 1, or None where it is not known. through:
+    the submission's functions that it passed through, as the submission's own process names them.
     """
 
     gist = "raised an exception"
 
-    def __init__(self, message: str, kind: str = "", line: int | None = None) -> None:
+    def __init__(self, message: str, kind: str = "", line: int | None = None, through: tuple[str, ...] = ()) -> None:
         super().__init__(message)
-        self.kind, self.line = kind, line
+        self.kind, self.line, self.through = kind, line, through
 
 
 class WrongType(StudentError):
@@ -82,3 +83,11 @@ class NotSteady(StudentError):
 
 class GraderFailed(WorkerCrashed):
     """The grader's own processes do not work on this machine, or offer less protection than was requested."""
+
+
+class MachineBusy(GraderFailed):
+    """Other programs had the processors for so long that the submission could not be graded; this is not its fault."""
+
+    def __init__(self, message: str = "") -> None:  # a message where another process has raised it
+        why = "not graded for lack of time: the machine was too busy with other programs. Grade again when it is idle"
+        super().__init__(message or why)

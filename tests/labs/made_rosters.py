@@ -4,7 +4,7 @@ from __future__ import annotations
 
 CANVAS_FILE = """\
 Student,ID,SIS User ID,SIS Login ID,Section,impulse (90)
-Points Possible,,,,,100
+    Points Possible,,,,,100
 "Lovelace, Ada",100,4711,ada@example.org,A,
 "Müller, Zoë",8,4712,zoe@example.org,A,
 "Student, Test",9,,,A,

@@ -28,15 +28,20 @@ class Scripted:
         self.asked: list[object] = []
         self.sent: list[bytes] = []
         self.waits: list[float] = []
+        self.spent, self.until = 0.0, 0.0
         self.over = False
 
     def start(self, limits: Limits) -> Scripted:
         return self
 
-    def send(self, message: bytes, seconds: float) -> None:
+    def measure(self, process: int, before: float) -> None:
+        pass
+
+    def send(self, message: bytes, seconds: float, until: float = 0.0) -> None:
         self.sent.append(message)
 
-    def exchange(self, message: bytes, seconds: float) -> bytes:
+    def exchange(self, message: bytes, seconds: float, until: float = 0.0) -> bytes:
+        self.until = until
         self.asked.append(messages.unpack(message[messages.HEADER :]) if message else None)
         self.waits.append(seconds)
         said = self._said.pop(0)
@@ -50,7 +55,7 @@ class Scripted:
         self.over = True
 
 
-SEALED, LOADED = ("sealed", 3, [], []), ("loaded", ["f"], [])
+SEALED, LOADED = ("sealed", 3, [], [], 0, 0.0), ("loaded", ["f"], [])
 
 
 def begun(*said, limits=PATIENT, patience=10.0, loaded=LOADED, text=""):

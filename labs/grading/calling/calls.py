@@ -7,7 +7,6 @@ matched part by part, with the number of its call. Every text is made fit to be 
 from __future__ import annotations
 
 import contextlib
-import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
@@ -24,9 +23,9 @@ from labs.grading.errors import (
     FunctionMissing,
     FunctionRaised,
     GraderFailed,
+    MachineBusy,
     NoAnswer,
     NotSteady,
-    OutOfTime,
     ProcessDied,
     StudentError,
     WrongType,
@@ -41,7 +40,7 @@ from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction
 
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
-_STARTING = 10.0  # s for the process itself, before it has seen the submission
+_STARTING = 120.0  # s on the clock for the process itself, before it has seen the submission; it needs some 0.01 s
 
 
 class Call:
@@ -61,7 +60,7 @@ class Call:
     ) -> None:
         self._submission, self._limits, self._patience, self._fresh = submission, limits, patience, fresh
         self._process: Process | None = None
-        self._left = limits.test  # s of waiting that are left to this test
+        self._left = limits.test  # s of its process's own time that are left to this test
         self._number = 0
         self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls sent whose answers are not read yet
         self._lost: StudentError | None = None
@@ -101,7 +100,8 @@ class Call:
         assert self._process is not None
         with self._starting():
             match messages.unpack(self._process.exchange(b"", _STARTING)):
-                case ("sealed", int(tier), list(missing), list(lacking)):
+                case ("sealed", int(tier), list(missing), list(lacking), int(process), float(before)):
+                    self._process.measure(process, before)
                     self.sealing = Sealing(Tier(tier), tuple(missing), tuple(lacking))
                 case _:
                     raise messages.Refused("it does not say how far it is shut in")
@@ -163,7 +163,7 @@ class Call:
             requests += request
         assert self._process is not None
         with self._counted(name) as (_, allowed), contextlib.suppress(OSError):  # no answer will show it
-            self._process.send(requests, allowed)
+            self._process.send(requests, allowed, self._patience.budget.until)
 
     def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
         """The call's number if it is the next that was foreseen; otherwise skips the answers to all foreseen calls."""
@@ -189,8 +189,9 @@ class Call:
                 written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
                 self.changed = tuple(sorted(written))
                 return value
-            case [str(kind), str(text), line] if outcome == "raised":
-                raise self._raised(name, kind, text, line if is_line(line) else None)
+            case [str(kind), str(text), line, list(through)] if outcome == "raised":
+                passed = tuple(each for each in through if isinstance(each, str))
+                raise self._raised(name, kind, text, line if is_line(line) else None, passed)
             case [str(why)] if outcome == "refused":
                 allowed = "a number, text, an array or a tuple of these"
                 raise WrongType(f"{name} gave {one_line(why)}; an answer is {allowed}")
@@ -230,30 +231,39 @@ class Call:
         assert self._process is not None
         with self._counted(name) as (for_call, allowed):
             if allowed == 0:
-                raise self._lose(self._patience.not_called(name, self._limits.test))
+                raise self._lose(self._patience.used_up(name, self._limits.test))
             self._patience.calls[name] += 1
             return self._answered(name, message, for_call, allowed)
 
     @contextlib.contextmanager
     def _counted(self, name: str) -> Iterator[tuple[float, float]]:
-        """How long a call may take, and how long is left for it; afterwards test and submission have that much less."""
-        began, for_call = time.monotonic(), self._patience.for_call(name, self._limits.call)
+        """How long a call may take, and how long is left for it; afterwards test and submission have that much less.
+
+        All of it is own time of the process.
+        """
+        assert self._process is not None
+        budget = self._patience.budget
+        budget.refuse_if_overdue()
+        before, for_call = self._process.spent, self._patience.for_call(name, self._limits.call)
         try:
-            whole, share = self._patience.budget.left, self._patience.share_left(name)
+            whole, share = budget.left, self._patience.share_left(name)
             yield for_call, max(0.0, min(for_call, self._left, whole, share))
         finally:
-            spent = time.monotonic() - began
+            spent = self._process.spent - before
             self._left -= spent
             self._patience.spent[name] += spent
+            budget.spend(spent)
 
     def _answered(self, name: str, message: bytes, for_call: float, allowed: float) -> Any:
         assert self._process is not None
         try:
-            return messages.unpack(self._process.exchange(message, allowed))
+            return messages.unpack(self._process.exchange(message, allowed, self._patience.budget.until))
+        except MachineBusy:
+            self.end()
+            self._patience.budget.refuse_if_overdue()
+            raise
         except TimeoutError:
-            why = self._patience.ran_out(name, allowed, for_call, self._limits.call, self._left)
-            limit = f"{allowed:.3g} s{why}"
-            raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
+            raise self._lose(self._patience.ran_out(name, allowed, for_call, self._limits)) from None
         except (OSError, EOFError):
             if self._process.ended is LOST:
                 raise GraderFailed("the nursery, of which a test's process is part, was stopped meanwhile") from None
@@ -272,14 +282,14 @@ class Call:
             return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
         return FunctionMissing(f"{needs(name)}: it is not in the submission")
 
-    def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
+    def _raised(self, name: str, kind: str, text: str, line: int | None, through: tuple[str, ...]) -> StudentError:
         if kind == "NotImplementedError":
             stub = self._submission.function_at(line) or name
             return FunctionMissing(f"{f'{name} ' * (stub != name)}{needs(stub)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
         if kind == "NameError" and (failure := self._failures.behind(text)):
             message += f". On loading: {self._said(*failure[1:])}"
-        return FunctionRaised(message, one_line(kind), line)
+        return FunctionRaised(message, one_line(kind), line, through)
 
     def _said(self, kind: str, text: str, line: int | None) -> str:
         where = f" ({self._submission.where(line)})" if line else ""

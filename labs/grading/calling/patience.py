@@ -1,5 +1,7 @@
 """How much longer we wait for a submission: what is left of its budget, and how its functions have used it so far.
 
+All seconds here are own time of the submission's processes (`own_time`).
+
 One slow function makes all functions slow that call it. If each of these used a share of its own, nothing would be left
 for the others. So functions that call a slow one share what one function may use, and each is told which one it is.
 """
@@ -11,10 +13,12 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 
 from labs.grading.budget import Budget
+from labs.grading.calling.processes import Limits
 from labs.grading.errors import NotTried, OutOfTime
 
 _SHORTENED = 5.0  # each time that a function runs out of time, we wait so many times less long for its next call
 _SHORTEST = 0.2  # s; a thousand times what a call takes
+_NOTHING = 0.01  # s that we may compute ourselves while a call runs
 _SLOW = 1 / 400  # of a share; a function is called a few dozen times, and those that call it do so several times each
 
 
@@ -48,34 +52,35 @@ class Patience:
         most = max([self.spent[name], *map(self._spent_on, self._behind(name))])
         return max(0.0, self.budget.share - most)
 
-    def ran_out(self, name: str, allowed: float, for_call: float, whole: float, left: float) -> str:
-        """Why a call that ran out of time had less of it than usual; one that had its full time counts as slow.
+    def ran_out(self, name: str, allowed: float, for_call: float, limits: Limits) -> OutOfTime:
+        """Why a call was stopped. One that had the full time of a call counts as slow.
 
-        allowed: s that it had. for_call: s for any call of this function now. whole: s for a function that never ran
-        out of time. left: s that were left to the test.
+        allowed: s that it had. for_call: s for any call of this function now.
         """
         if allowed < for_call:
-            if allowed == left:
-                return " (the test's time is up)"
-            if allowed != self.share_left(name):
-                return " (the time for the whole file is up)"
-            return f" ({self._too_slow(name) or 'its share of the time for the whole file is up'})"
+            return self.used_up(name, limits.test, allowed)
         before = self.timeouts[name]
         self.timeouts[name] += 1
-        if allowed == whole:
-            return ""
-        return f" ({(not before and self._too_slow(name)) or 'it ran out of time before'})"
+        less = allowed != limits.call
+        why = f" ({(not before and self._too_slow(name)) or 'it ran out of time before'})" if less else ""
+        return OutOfTime(f"{name} gave no answer within {allowed:.3g} s{why} and was stopped")
 
-    def not_called(self, name: str, test: float) -> OutOfTime:
-        """Why there is no time to call a function at all. test: s that a test has."""
-        if not self.budget.left:
-            return NotTried(f"it was not tried: {self.budget} are used up")
-        if not self.share_left(name):
+    def used_up(self, name: str, test: float, allowed: float = 0.0) -> OutOfTime:
+        """Which time is used up: before a call, or during one that was allowed so many s. test: s that a test has.
+
+        The words are the same in both cases. A few milliseconds decide between them, and the same file has the same
+        grade byte for byte.
+        """
+        if self.budget.left <= allowed + _NOTHING:
+            return NotTried(f"it was not tried to the end: {self.budget} are used up")
+        if self.share_left(name) <= allowed:
             if why := self._too_slow(name):
-                return OutOfTime(f"{name} was not called: {why}")
-            taken = f"{name} was not called again: it has taken {self.budget.share:.3g} s in all"
-            return OutOfTime(f"{taken}, which is its share of {self.budget}")
-        return OutOfTime(f"{name} was not called: the {test:.3g} s of this test are used up")
+                return OutOfTime(f"{name} gave no answer: {why}")
+            return OutOfTime(
+                f"{name} gave no answer: it has taken {self.budget.share:.3g} s in all, which is its share of"
+                f" {self.budget}"
+            )
+        return OutOfTime(f"{name} gave no answer: the {test:.3g} s of this test are used up")
 
     @property
     def slow(self) -> frozenset[str]:

@@ -7,6 +7,7 @@ what is read is limited before it is read.
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import select
 import threading
@@ -16,6 +17,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from labs.grading.budget import SECONDS
+from labs.grading.calling.own_time import Deadline, OwnTime, meter
 from labs.grading.worker import messages
 
 
@@ -23,8 +25,8 @@ from labs.grading.worker import messages
 class Limits:
     """What a test may use. memory: bytes beyond NumPy's. printed: characters that are kept.
 
-    call, test: s of wall-clock time for a call, and for all calls of a test. submission: s for all that is done with a
-    file, see `budget`.
+    call, test: s of a process's own time (`own_time`) for a call, and for all calls of a test. submission: s for all
+    that is done with a file, see `budget`.
     """
 
     call: float = 5.0
@@ -68,32 +70,50 @@ class Process:
         self.number, self._requests, self._answers, self._host = number, requests, answers, host
         self._read = bytearray()
         self._over = False
+        self._own = OwnTime()
         self.outcome: Ended | None = None
         if os.name == "posix":
             os.set_blocking(requests, False)
             os.set_blocking(answers, False)
 
-    def exchange(self, message: bytes, seconds: float) -> bytes:
+    def measure(self, process: int, before: float) -> None:
+        """Count only the process's own time from now on. before: s that it computed for us at first."""
+        self._own = OwnTime(meter(process, before))
+
+    @property
+    def spent(self) -> float:
+        """The process's own time in all exchanges so far, s."""
+        return self._own.seconds
+
+    def exchange(self, message: bytes, seconds: float, until: float = math.inf) -> bytes:
         """Send a message (or nothing) and return the answer without its header.
 
-        Raises TimeoutError after so many seconds, OSError or EOFError when the process hung up, and
-        `messages.Refused` for an answer that is too long.
+        Raises TimeoutError after so many seconds of the process's own time, `MachineBusy` at a time on the clock,
+        OSError or EOFError when the process hung up, and `messages.Refused` for an answer that is too long.
         """
-        self.send(message, seconds)
-        until = time.monotonic() + seconds
-        with self._killed_at(until):
-            self._fill(messages.HEADER, until)
+        with self._timed(seconds, until) as deadline:
+            self._write(message, deadline)
+            self._fill(messages.HEADER, deadline)
             end = messages.HEADER + messages.length(bytes(self._read[: messages.HEADER]))
-            self._fill(end, until)
+            self._fill(end, deadline)
         answer = bytes(self._read[messages.HEADER : end])
         del self._read[:end]
         return answer
 
-    def send(self, message: bytes, seconds: float) -> None:
+    def send(self, message: bytes, seconds: float, until: float = math.inf) -> None:
         """Send a message without waiting for an answer; raises as `exchange`."""
-        until = time.monotonic() + seconds
-        with self._killed_at(until):
-            self._write(message, until)
+        with self._timed(seconds, until) as deadline:
+            self._write(message, deadline)
+
+    @contextlib.contextmanager
+    def _timed(self, seconds: float, until: float) -> Iterator[Deadline]:
+        """Count what happens within as an exchange; on systems where waiting has no limit, kill the process then."""
+        self._own.begin()
+        try:
+            with self._killed_at(time.monotonic() + seconds):
+                yield Deadline(self._own, seconds, until)
+        finally:
+            self._own.end()
 
     @property
     def gone(self) -> bool:
@@ -122,30 +142,34 @@ class Process:
         assert self.outcome is not None
         return self.outcome
 
-    def _write(self, message: bytes, until: float) -> None:
+    def _write(self, message: bytes, deadline: Deadline) -> None:
         rest = memoryview(message)
         while rest:
             try:
                 rest = rest[os.write(self._requests, rest) :]
+                if rest:
+                    deadline.check()  # one that reads byte by byte always seems ready
             except BlockingIOError:
-                self._wait(self._requests, "POLLOUT", until)
+                self._wait(self._requests, "POLLOUT", deadline)
 
-    def _fill(self, count: int, until: float) -> None:
+    def _fill(self, count: int, deadline: Deadline) -> None:
         """Read until there are so many bytes."""
         while len(self._read) < count:
-            self._wait(self._answers, "POLLIN", until)
+            self._wait(self._answers, "POLLIN", deadline)
             part = os.read(self._answers, 2**18)
             if not part:
                 raise EOFError
             self._read += part
+            if len(self._read) < count:
+                deadline.check()  # one that answers byte by byte always seems ready
 
-    def _wait(self, descriptor: int, event: str, until: float) -> None:
+    def _wait(self, descriptor: int, event: str, deadline: Deadline) -> None:
         """Wait until the pipe is ready; on Windows, where that cannot be asked, reading itself waits."""
         if os.name == "posix":
             poll = select.poll()
             poll.register(descriptor, getattr(select, event))
-            if not poll.poll(max(0.0, until - time.monotonic()) * 1000):
-                raise TimeoutError
+            while not poll.poll(deadline.pause() * 1000):
+                deadline.check()
 
     @contextlib.contextmanager
     def _killed_at(self, until: float) -> Iterator[None]:

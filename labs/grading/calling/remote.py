@@ -89,7 +89,7 @@ class Remote:
         not even load, or its time is up, later tests are told so at once.
         """
         if not self.budget.left and self._unloadable is None:
-            self._unloadable = NotTried(f"it was not tried: {self.budget} are used up")
+            self._unloadable = NotTried(f"it was not tried to the end: {self.budget} are used up")
         call = self._begun()
         try:
             if self._unloadable is None:

@@ -77,11 +77,13 @@ def certain(sheet: Sheet, name: str, uses: Collection[str]) -> Diagnosis | None:
 
 
 def without_answers(sheet: Sheet, name: str, uses: Collection[str], failures: Failures) -> Failures:
-    """The failures of a function in which it gave no answer at all, or an error that it does not share with others.
+    """The failures of a function in which it gave no answer at all, or an error that is not one of the others.
 
-    They are its own even if one of the functions that it calls gives it wrong numbers.
+    They are its own even if one of the functions that it calls gives it wrong numbers. An exception that has passed
+    through a wrong function belongs to that one, whatever it says; so does one that both raise in the same words.
     """
-    theirs = {own_words(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
+    theirs = {own_words(said, name) for each in sheet.about(name) for said in each.raised_in(uses)}
+    theirs |= {own_words(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
     none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
     if any((known := sheet.diagnosis(other)) and known.verdict == "shape" for other in uses):
         none = [(reason, said) for reason, said in none if not _OF_SHAPES.search(said)]

@@ -12,7 +12,7 @@ from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.findings import Diagnosis, Verdict
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
-from labs.grading.errors import FunctionMissing, GraderFailed, OutOfTime, StudentError
+from labs.grading.errors import FunctionMissing, FunctionRaised, GraderFailed, OutOfTime, StudentError
 from labs.grading.judging.blame import needed_functions
 from labs.grading.judging.markers import is_hidden, marker
 from labs.grading.judging.score_sheet import Cause, Outcome, Part, Sheet
@@ -41,7 +41,13 @@ def outcome_of(item: pytest.Item, passed: bool, error: BaseException | None, par
         parts=parts,
         function=marker(item, "function", ""),
         cause=cause_of(error),
+        through=through(error),
     )
+
+
+def through(error: BaseException | None) -> tuple[str, ...]:
+    """The submission's functions that an exception of it passed through."""
+    return error.through if isinstance(error, FunctionRaised) else ()
 
 
 def cause_of(error: BaseException | None) -> Cause:

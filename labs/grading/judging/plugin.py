@@ -27,7 +27,7 @@ from labs.grading.judging.case_by_case import GIST, CaseByCase
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
 from labs.grading.judging.markers import MEANINGS, is_hidden, marker
-from labs.grading.judging.outcomes import cause_of, explain, outcome_of, said, summary
+from labs.grading.judging.outcomes import cause_of, explain, outcome_of, said, summary, through
 from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
@@ -126,7 +126,7 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
             yield
         except (AssertionError, StudentError) as error:
             others = tuple(sorted(functions.asked - {marker(request.node, "function", "")}))
-            parts.append(Part(points, reason, said(error, hidden), others, cause_of(error)))
+            parts.append(Part(points, reason, said(error, hidden), others, cause_of(error), through(error)))
         else:
             _require_evidence(f"{request.node.name}, {reason!r}", functions)
             failure = case_by_case.charge()

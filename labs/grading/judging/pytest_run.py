@@ -75,6 +75,7 @@ def run(
         names = [*sheet.lost, *sheet.suspects, *beside]
         if functions and (used := _used(path, topics, names) - set(functions)):
             sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used, time))
+        time.refuse_if_cut()  # the diagnosis goes without probes that no process can answer
         return sheet
 
 

@@ -23,7 +23,7 @@ class Part:
     """A part of a test that has points of its own.
 
     said: why it failed; None if it passed. others: functions besides the tested one that a scenario of a failed part
-    called. cause: of the failure.
+    called. cause: of the failure. through: the submission's functions that an exception passed through.
     """
 
     points: int
@@ -31,6 +31,7 @@ class Part:
     said: str | None = None
     others: tuple[str, ...] = ()
     cause: Cause = ""
+    through: tuple[str, ...] = ()
 
     @property
     def passed(self) -> bool:
@@ -43,7 +44,8 @@ class Outcome:
     """One test. said: what happened, fit to be shown; for a hidden test without inputs or expected values.
 
     rationale: why the test is right to ask. help: what to look at. parts: those that have points of their own.
-    function: which one it is about; empty if it is about several. cause: of the failure of a test without parts.
+    function: which one it is about; empty if it is about several. cause, through: of the failure of a test without
+    parts.
     """
 
     test: str
@@ -56,6 +58,7 @@ class Outcome:
     parts: tuple[Part, ...] = ()
     function: str = ""
     cause: Cause = ""
+    through: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
@@ -83,6 +86,13 @@ class Outcome:
         said = [words for _, words in lost]
         found = tuple((reason, "" if words in said[:at] else words) for at, (reason, words) in enumerate(lost))
         return found or (() if self.passed else ((self.title, self.said),))
+
+    def raised_in(self, functions: Collection[str]) -> set[str]:
+        """What was said of exceptions that passed through one of some functions."""
+        found = {
+            part.said for part in self.parts if part.said is not None and not {*functions}.isdisjoint(part.through)
+        }
+        return found | ({self.said} if not {*functions}.isdisjoint(self.through) else set())
 
     @property
     def causes(self) -> set[Cause]:

@@ -30,7 +30,7 @@ if sys.platform == "linux":
     import resource
 
 _DESCRIPTORS = 64
-_SPARE_SECONDS = 2  # of processor time beyond the wall-clock limit, which then speaks first and says more
+_SPARE_SECONDS = 2  # of processor time beyond the grader's own limit, which then speaks first and says more
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,8 @@ FAILED = 70
 """Exit code of a process in which our own code failed, and not the submission."""
 _MESSAGE_CHARACTERS = 2000
 """The longest message of an exception that is sent."""
+_NAME_CHARACTERS, _MOST_NAMES = 100, 50
+"""The longest name of a function that an exception passed through, and how many of these are sent."""
 _LONG_ENOUGH = 3  # letters that a name needs before another one is suggested for it
 _LIKE, _LIKE_A_BUILTIN = 0.66, 0.75
 """Similarity, at most 1, from which a name is suggested for a misspelt one; more for one of Python's many own names."""
@@ -68,10 +70,14 @@ class Printed(io.TextIOBase):
 
 
 def serve(requests: int, answers: int, sealing: Sealing) -> None:
-    """Report how far the process is shut in, load the text that comes first, then answer every call."""
+    """Report how far the process is shut in, load the text that comes first, then answer every call.
+
+    The report also has the process's number and the s that it computed so far, for the grader that measures it.
+    """
     text, limit = _receive(requests)
     source = text.tobytes().decode()
-    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), preloading.lacking(source)))
+    lacking = preloading.lacking(source)
+    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), lacking, os.getpid(), time.process_time()))
     printed = Printed(limit)
     sys.stdout = sys.stderr = printed
     module = ModuleType(TITLE)
@@ -149,7 +155,10 @@ def _start(statement: ast.stmt) -> tuple[int, int]:
 
 
 def _answer(module: ModuleType, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> tuple[Any, ...]:
-    """One call: ("value", seconds, which arguments it changed, value), or ("raised", type, message, line)."""
+    """One call: ("value", seconds, which arguments it changed, value), or ("raised", type, message, line, through).
+
+    through: the functions of the submission that the exception passed through.
+    """
     function = vars(module).get(name)
     if not callable(function):
         return ("missing",)
@@ -162,7 +171,14 @@ def _answer(module: ModuleType, name: str, arguments: tuple[Any, ...], named: di
         changed = [place for place, each in enumerate(every) if _bits(each) != before[place]]
         return ("value", seconds, changed, value)
     except BaseException as error:
-        return ("raised", *_described(error))
+        return ("raised", *_described(error), _through(error))
+
+
+def _through(error: BaseException) -> list[str]:
+    """The names of the functions of the submission that an exception passed through, each once."""
+    frames = (frame.f_code for frame, _ in traceback.walk_tb(error.__traceback__))
+    names = dict.fromkeys(code.co_name for code in frames if code.co_filename == TITLE)
+    return [name[:_NAME_CHARACTERS] for name in names][:_MOST_NAMES]
 
 
 def _bits(argument: Any) -> Any:

@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from reference.arrays import Array
 from reference.engines.handwritten.loads import LoadsByHand
@@ -88,12 +87,9 @@ class _Mesh:
     def step_by_forces(self, time: float) -> None:
         """Step with the forces at the start of the step."""
         acceleration = self._acceleration(time, self.velocity)
-        self._take(self.function("mesh_step")(self.mesh, self.place, self.velocity, acceleration, self.dt))
-
-    def _take(self, state: tuple[ArrayLike, ArrayLike]) -> None:
-        """Keep the places and velocities that a function gave, which may be lists."""
-        place, velocity = state
-        self.place, self.velocity = np.asarray(place, dtype=float), np.asarray(velocity, dtype=float)
+        self.place, self.velocity = self.function("mesh_step")(
+            self.mesh, self.place, self.velocity, acceleration, self.dt
+        )
 
     def _acceleration(self, time: float, velocity: Array) -> Array:
         """What weight, pushes and the fluid make of the motion of each node, (n, 3), m/s²."""
@@ -150,8 +146,9 @@ class _Draping(_Mesh):
     def step_by_forces(self, time: float) -> None:
         """Step, and move the balls that the step has taken into the large one back onto it."""
         super().step_by_forces(time)
-        contact = self.function("mesh_sphere_contact")
-        self._take(contact(self.mesh, self.place, self.velocity, self._centre, self._reach))
+        self.place, self.velocity = self.function("mesh_sphere_contact")(
+            self.mesh, self.place, self.velocity, self._centre, self._reach
+        )
 
 
 class _Vibrating(_Solved):

@@ -14,7 +14,7 @@ import pytest
 from labs.gradebook import book as book_module
 from labs.gradebook.book import Book, Failures, run
 from labs.gradebook.grading import Graded, Task, identity
-from labs.grading.errors import GraderFailed
+from labs.grading.errors import GraderFailed, MachineBusy
 from labs.grading.judging.grade import SCHEMA, VERSION, read_grade
 from labs.workers import Workers
 from reference.errors import InvalidInput
@@ -117,6 +117,8 @@ def _by_name(task: Task) -> Graded:
         os.kill(os.getpid(), signal.SIGKILL)
     if task.student.startswith("fails"):
         raise GraderFailed("no process could be started")
+    if task.student.startswith("in line"):
+        raise MachineBusy
     return graded(task)
 
 
@@ -129,14 +131,16 @@ def pool(monkeypatch):
 
 def test_a_worker_that_dies_costs_its_own_submission_alone(book, pool):
     students = [f"{number}" for number in range(20)]
-    students[7:7] = ["dies", "fails"]
+    students[7:7] = ["dies", "fails", "in line"]
     failures = Failures()
     run((replace(TASK, student=each) for each in students), Workers(2, pool), book.keep, failures)
     assert failures.said == {
         "dies": "the process that graded it died twice",
         "fails": "no process could be started",
+        "in line": str(MachineBusy()),
     }
-    assert {each for each in students if book.grade_of(each)} == {*students} - {"dies", "fails"}
+    assert failures.busy == {"in line"}
+    assert {each for each in students if book.grade_of(each)} == {*students} - failures.said.keys()
 
 
 def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch):

@@ -6,7 +6,9 @@ from datetime import datetime, timedelta
 
 import pytest
 
-from labs.gradebook.deadlines import read_deadlines
+from labs.gradebook.deadlines import CALLED_LATE, read_deadlines
+from labs.gradebook.layouts import CANVAS
+from labs.gradebook.roster import Student
 from reference.errors import CollisionsError
 
 RULES = """\
@@ -59,13 +61,37 @@ def test_a_student_may_have_a_deadline_of_their_own(rules):
 
 def test_where_nobody_knows_when_it_came_nothing_is_taken_off(rules):
     assert rules().lateness("4712", "impulse", None, called_late=True).share == 1.0
-    assert rules().lateness("4712", "impulse", None, called_late=True).said.startswith("late, says the platform")
+    assert rules().lateness("4712", "impulse", None, called_late=True).said == CALLED_LATE
+    assert CALLED_LATE.endswith("but not by how much: nothing is taken off")
     assert rules().lateness("4712", "detection", DUE + timedelta(days=99)).said == ""
+
+
+def test_where_no_rule_says_what_lateness_costs_it_costs_nothing_and_that_is_said(rules):
+    found = rules("[due]\nimpulse = 2026-11-30T23:59:00+01:00\n").lateness("1", "impulse", DUE + timedelta(hours=25))
+    assert (found.share, found.said) == (1.0, "2 days late: nothing is taken off")
+
+
+def test_a_deadline_of_a_student_whom_nobody_knows_is_named_with_who_may_be_meant(rules):
+    ada = Student("4711", "Ada Lovelace", keys={CANVAS: frozenset({"70310"})})
+    bob = Student("4799", "Bob")
+    table = "[due.students.{}]\nimpulse = 2026-12-07T23:59:00Z\n".format
+    assert rules().without_student([ada, bob]) == ""
+    assert rules().without_student([bob]) == "'4711'"
+    found = rules(table("4713") + table("70310") + table("xyz")).without_student([ada, bob])
+    assert found == "'4713' (perhaps 4711 (Ada Lovelace)), '70310' (perhaps 4711 (Ada Lovelace)) and 'xyz'"
+
+
+def test_a_course_says_whom_to_ask_about_a_mark_and_for_how_long(rules):
+    assert (rules().contact, rules().days_to_ask) == ("your instructor", None)
+    found = rules('[regrade]\ncontact = "Ada, ada@example.org"\ndays = 14\n')
+    assert (found.contact, found.days_to_ask) == ("Ada, ada@example.org", 14)
 
 
 @pytest.mark.parametrize(
     ("text", "said"),
     [
+        ("[regrade]\ncontact = 3\n", "contact is 3 in the rules; it is a text in quotes"),
+        ("[regrade]\nday = 3\n", "unknown entry of .regrade. 'day'"),
         ("[due]\nimpulse = 2026-11-30T23:59:00\n", "write it with its zone"),
         ("[due]\nimpuls = 2026-11-30T23:59:00Z\n", "impuls"),
         ("[late]\nfree = 2\n", "free"),

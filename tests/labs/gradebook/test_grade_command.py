@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from program import collisions
 from submissions import notebook
 
+from labs.gradebook.deadlines import CALLED_LATE
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.workers import Workers
 
 ROSTER = "student_id,name,canvas_id\n4711,Ada Lovelace,7\n4712,Zoë Müller,8\n4713,Bob,9\n4714,Carl,10\n"
 NORMAL_VELOCITY = """\
@@ -47,14 +51,34 @@ def grade(folder, *more: str):
     )
 
 
-def test_a_class_is_graded_once_and_only_what_changed_is_graded_again(handed_in):
+@pytest.fixture
+def bars(monkeypatch):
+    """The progress bars that a command shows: name, length, and how far it came."""
+    shown = []
+
+    @contextlib.contextmanager
+    def bar(what: str, total: int):
+        shown.append([what, total, 0])
+        yield lambda: shown[-1].__setitem__(2, shown[-1][2] + 1)
+
+    monkeypatch.setattr("labs.cli.grade._progress", bar)
+    return shown
+
+
+def test_a_class_is_graded_once_and_only_what_changed_is_graded_again(handed_in, bars):
     done = grade(handed_in)
+    assert bars == [["Grading", 4, 4], ["Writing pages", 5, 5]]
     assert done.code == 0, done.error
     assert "4 submissions are graded, 0 could not be graded." in done.output
     assert "The written questions of 1 are to be marked" in done.output
+    assert "1 not on the roster: Canvas 66." in done.output
+    assert "1 with nothing that could be graded: Canvas 66." in done.output
+    assert "1 late, but the platform does not say by how much: 4712. Nothing is taken off." in done.output
+    assert "nothing handed in" not in done.output  # a note that needs nobody
+    assert (handed_in / "grades").stat().st_mode & 0o777 == 0o700
     found = marks(handed_in)
     assert (found["4711"]["raw_score"], found["4711"]["open"]) == ("65", "35")
-    assert (found["4712"]["raw_score"], found["4712"]["late"]) == ("0", "late, says the platform, but not by how much")
+    assert (found["4712"]["raw_score"], found["4712"]["late"]) == ("0", CALLED_LATE)
     content = json.loads((handed_in / "grades" / "students" / "4713" / "grade.json").read_text(encoding="utf-8"))
     function = next(each for each in content["functions"] if each["name"] == "normal_velocity")
     assert function["got"] < function["possible"]
@@ -90,6 +114,50 @@ def test_what_cannot_be_graded_is_said_in_a_line(tmp_path, monkeypatch, argument
     assert found.code == 2
     assert said in found.error
     assert not (tmp_path / "grades").exists()
+
+
+GRADEBOOK = "Student,ID,Impulse pre-quiz (4600),Lab 5 (88121)\n    Points Possible,,10,50\nAda,7,,\n"
+RULES = "[due.students.17]\nimpulse = 2026-12-07T23:59:00+01:00\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ((), "Impulse pre-quiz (4600); Lab 5 (88121)"),
+        (("--column", "Lab 5 (88120)"), "Did you mean 'Lab 5 (88121)'?"),
+        (("--column", "88121", "--rules", "rules.toml"), "The rules give a deadline to '17', but no student has this"),
+    ],
+)
+def test_a_wrong_column_or_number_is_refused_before_anything_is_graded(tmp_path, monkeypatch, more, said):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "submissions").mkdir()
+    (tmp_path / "submissions" / "ada_7_1_impulse.ipynb").write_text("{")
+    (tmp_path / "roster.csv").write_text(GRADEBOOK)
+    (tmp_path / "rules.toml").write_text(RULES)
+    found = collisions("grade", "submissions", "--lab", "impulse", "--roster", "roster.csv", *more)
+    assert found.code == 2
+    assert said in " ".join(found.error.split())
+    assert not (tmp_path / "grades").exists()
+
+
+def test_a_submission_that_a_busy_machine_stopped_loses_nothing_and_is_graded_in_the_next_run(tmp_path, monkeypatch):
+    place = tmp_path / "submissions" / "ada"
+    place.mkdir(parents=True)
+    (place / "impulse.py").write_text(NORMAL_VELOCITY, encoding="utf-8")
+    arguments = ("grade", str(place.parent), "--lab", "impulse", "--out", str(tmp_path / "grades"), "--no-runs")
+    one_thread = lambda count, _: contextlib.nullcontext(Workers(count, lambda: ThreadPoolExecutor(1)))  # noqa: E731
+    monkeypatch.setattr("labs.cli.grade.here", one_thread)
+    with monkeypatch.context() as busy:
+        busy.setattr("labs.grading.budget.ON_THE_CLOCK", 1e-9)
+        stopped = collisions(*arguments)
+    assert stopped.code == 1
+    assert "1. 1 not graded for lack of time: ada." in stopped.output
+    assert "run the same command again when it is idle" in " ".join(stopped.output.split())
+    found = marks(tmp_path)["ada"]
+    assert (found["score"], found["notes"].startswith("not graded for lack of time")) == ("", True)
+    again = collisions(*arguments)
+    assert again.code == 0, again.error
+    assert marks(tmp_path)["ada"]["score"] == "0"  # of a wrong function alone
 
 
 SCALED = """\

@@ -7,8 +7,9 @@ import re
 
 import pytest
 
-from labs.gradebook.deadlines import Lateness
-from labs.gradebook.pages import class_page, items, mistakes, student_page, weakest
+from labs.gradebook.deadlines import Deadlines, Lateness
+from labs.gradebook.in_common import items, mistakes, weakest
+from labs.gradebook.pages import class_page, student_page
 from labs.gradebook.roster import Student
 from labs.gradebook.tables import Mark
 from labs.gradebook.written import Given, questions
@@ -56,7 +57,7 @@ def test_a_student_reads_what_is_wrong_where_to_read_on_and_what_it_cost():
         "Points that approach have a negative normal velocity: 1 of 3 points. It is a rate. Read on: Slides 14" in text
     )
     assert "1. Newton&#39;s third law: 2.5 of 3 points &lt;i&gt;good&lt;/i&gt;" in text
-    assert "If you think that a mark is wrong" in text
+    assert "If you think that a mark is wrong Write to your instructor: name the function" in text
     assert "<script>" not in page
     assert "<img" not in page
 
@@ -74,6 +75,7 @@ def test_the_page_of_the_class_has_no_names_and_counts_each_mistake_once_a_stude
     marks.append(Mark(HOSTILE, "impulse", None))
     page = class_page("impulse", marks, {"ABCDE": 2.25})
     assert "3 of 4 students" in page
+    assert "th { overflow-wrap: normal; }" in page  # a heading over a narrow column is not broken within a word
     assert "The median is 30 of 100 points." in page
     assert "Ada" not in page
     assert "<script>" not in page
@@ -81,6 +83,62 @@ def test_the_page_of_the_class_has_no_names_and_counts_each_mistake_once_a_stude
     assert "ABCDE" in page
     assert mistakes([WRONG, HALF, RIGHT])[0].students == 2
     assert mistakes([WRONG, HALF, RIGHT])[0].rationale == KNOWN.rationale
+
+
+def test_a_student_reads_whom_to_ask_and_for_how_long_if_the_course_says_so():
+    mark = Mark(HOSTILE, "impulse", 50.0, content=WRONG)
+    page = student_page(mark, (), {}, rules=Deadlines(contact="Ada <ada@example.org>", days_to_ask=14))
+    assert "Write to Ada &lt;ada@example.org&gt; within 14 days: name" in page
+
+
+def test_who_hands_in_a_python_file_reads_what_it_lacks_and_so_does_the_class():
+    file = WRONG | {"identity": {"file": "a.PY"}, "answers": {"third-law": ""}}
+    page = " ".join(student_page(Mark(HOSTILE, "impulse", 9.0, content=file), (), {}).split())
+    assert "can reach 45 of the 100 points: the written answers (35 points), the inputs (15)" in page
+    assert "You handed in a Python file" not in student_page(Mark(HOSTILE, "impulse", 9.0, content=WRONG), (), {})
+    marks = [Mark(Student(str(at)), "impulse", 9.0, content=each) for at, each in enumerate((file, file, WRONG))]
+    assert "2 of the 3 students handed in a Python file instead of the notebook" in class_page("impulse", marks, {})
+
+
+def test_what_waits_for_another_function_is_not_called_a_mistake():
+    waits = content(
+        function("normal_velocity", 1, "named", (KNOWN.id,)), function("collide", 2, "calls a wrong function")
+    )
+    late = content(function("normal_velocity", 6, "right"), function("collide", 0, "not tried"))
+    found = {item.name: item for item in items("impulse", [waits, late, RIGHT])}
+    assert (found["collide"].tried, found["collide"].right, found["collide"].wrong, found["collide"].waits) == (
+        3,
+        1,
+        0,
+        2,
+    )
+    marks = [Mark(Student(str(at)), "impulse", 9.0, content=each) for at, each in enumerate((waits, late, RIGHT))]
+    text = " ".join(class_page("impulse", marks, {}).split())
+    assert "Of 3 who wrote <code>normal_velocity</code> (step 2), 1 have a mistake in it." in text
+    assert weakest(items("impulse", [late])) is None
+
+
+def test_a_mistake_of_one_student_is_counted_but_not_listed():
+    other = next(entry for entry in read_bank() if entry.function == "collide")
+    once = content(function("normal_velocity", 6, "right"), function("collide", 1, "named", (other.id,)))
+    marks = [Mark(Student(str(at)), "impulse", 9.0, content=each) for at, each in enumerate((WRONG, HALF, once))]
+    page = class_page("impulse", marks, {})
+    assert KNOWN.id in page
+    assert other.id not in page
+    assert "One other known mistake was made by one student." in page
+    alone = class_page("impulse", marks[:1], {})
+    assert KNOWN.id not in alone
+    assert "One known mistake was made by one student." in alone
+
+
+def test_an_inherited_mistake_says_what_it_comes_from_and_is_not_counted_twice():
+    inherited = f"collide < {KNOWN.id}"
+    both = content(function("normal_velocity", 1, "named", (KNOWN.id,)), function("collide", 2, "named", (inherited,)))
+    alone = content(function("normal_velocity", 6, "right"), function("collide", 2, "named", (inherited,)))
+    assert [(each.id, each.students) for each in mistakes([both])] == [(KNOWN.id, 1)]
+    (found,) = mistakes([alone])
+    assert found.id == "collide with a wrong normal_velocity"
+    assert found.rationale == f"It would be right itself, but uses a wrong normal_velocity: {KNOWN.rationale}"
 
 
 def test_an_item_says_who_has_it_right_and_what_it_tells():

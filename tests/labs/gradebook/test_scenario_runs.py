@@ -15,6 +15,9 @@ from labs.gradebook.grading import Graded, Task, identity
 from labs.gradebook.runs_compared import compared, spreads
 from labs.gradebook.runs_figure import edges
 from labs.gradebook.scenario_runs import RUNS, result
+from labs.grading import budget
+from labs.grading.budget import SECONDS
+from labs.grading.errors import MachineBusy
 from labs.grading.judging.grade import SCHEMA, VERSION
 from reference import lecture
 from reference.comparison.verdicts import Verdict
@@ -26,7 +29,7 @@ HEIGHT = "dropped-ball/e=0.8"
 
 def ran(path, lab, grader):
     """What is kept of the runs, as a file has it."""
-    return json.loads(json.dumps(scenario_runs.run(path, lab, grader), allow_nan=False))
+    return json.loads(json.dumps(scenario_runs.run(path, lab, grader, SECONDS), allow_nan=False))
 
 
 @pytest.fixture(scope="module")
@@ -61,6 +64,25 @@ def test_an_answer_of_another_shape_costs_its_run_alone(grader, tmp_path):
     found = [result(kept) for kept in ran(path, "response", grader)]
     assert all(row.verdict not in AGREES for each in found for row in each.rows if row.quantity == "rebound")
     assert not compared(ran(path, "response", grader), "response")[0].agrees
+
+
+SLEEPS = "\n\nimport time\n\n\ndef respond_at_impact(*arguments):\n    time.sleep(60)\n"
+
+
+def test_runs_have_a_third_of_the_seconds_of_the_submission(grader, tmp_path):
+    path = tmp_path / "sleeps.py"
+    path.write_text(solved(tmp_path, "response").read_text() + SLEEPS)
+    kept = scenario_runs.run(path, "response", grader, 0.9)
+    said = [result(each).rows[0].note for each in kept]
+    assert said[0] == "respond_at_impact gave no answer: it has taken 0.1 s in all, which is its share of the 0.3 s" + (
+        " that the whole file has"
+    )
+
+
+def test_runs_that_the_clock_ends_are_kept_by_nobody_and_can_be_made_again(grader, tmp_path, monkeypatch):
+    monkeypatch.setattr(budget, "ON_THE_CLOCK", 1e-9)
+    with pytest.raises(MachineBusy):
+        scenario_runs.run(solved(tmp_path, "response"), "response", grader, SECONDS)
 
 
 def test_a_class_is_a_distribution_beside_theory_and_the_engines(right, untouched):

@@ -7,11 +7,10 @@ import io
 from xml.etree import ElementTree
 
 import pytest
-from made_rosters import CANVAS_FILE, MOODLE_FILE
 
 from labs.gradebook.deadlines import Lateness
-from labs.gradebook.roster import Student, read_roster
-from labs.gradebook.tables import Mark, defused, for_platform, junit, plain_table
+from labs.gradebook.roster import Student
+from labs.gradebook.tables import Mark, defused, junit, plain_table
 
 ADA, ZOE = Student("4711", "Ada Lovelace"), Student("4712", "Zoë Müller")
 TEST = {
@@ -41,32 +40,6 @@ def test_no_cell_is_a_formula(text):
     (row,) = rows(plain_table([Mark(Student(text, text), "impulse", 1.0, notes=(text,))]))
     assert [row["student_id"], row["name"], row["notes"]] == ["'" + text.replace("\n", " ").replace("\r", "␍")] * 3
     assert defused("Ada - Lovelace") == "Ada - Lovelace"
-
-
-@pytest.mark.parametrize(
-    ("text", "column", "points"),
-    [
-        (CANVAS_FILE, "impulse (90)", ["100", "48", "", ""]),
-        (MOODLE_FILE, "Grade", ["48", ""]),
-    ],
-)
-def test_a_platforms_own_file_comes_back_with_the_marks_in_it(tmp_path, text, column, points):
-    path = tmp_path / "roster.csv"
-    path.write_text(text, encoding="utf-8")
-    roster = read_roster(path)
-    every = [Mark(roster.students[0], "impulse", 60.0, late=Lateness(2, 0.8))]
-    filled = for_platform(roster, every, "impulse")
-    assert [row[column] for row in rows(filled)] == points
-    for before, after in zip(rows(text), rows(filled), strict=True):
-        assert {key: value for key, value in after.items() if key != column} == {
-            key: value for key, value in before.items() if key != column
-        }
-
-
-def test_a_plain_roster_has_no_file_to_give_back(tmp_path):
-    path = tmp_path / "roster.csv"
-    path.write_text("student_id\n1\n", encoding="utf-8")
-    assert for_platform(read_roster(path), [], "impulse") is None
 
 
 def test_junit_has_a_case_for_each_test_and_no_character_that_xml_forbids():

@@ -65,6 +65,15 @@ def test_no_page_or_table_has_a_name_and_a_page_escapes_what_students_write(fold
     assert sorted(orders[0]) == sorted(orders[1]) == sorted(ANSWERS)
 
 
+def test_a_question_that_nobody_answered_asks_for_no_points(tmp_path):
+    write_questions(tmp_path, "impulse", {"1": {KEYS[0]: "yes"}, "2": {}, "3": {}}, code_alone=2)
+    answered, empty = ((tmp_path / "questions" / f"{key}.html").read_text(encoding="utf-8") for key in KEYS[:2])
+    assert "1 of 3 students answered. Write the points beside each code" in answered
+    assert "None of 3 students answered, so there is nothing to mark here." in empty
+    assert "Write the points" not in empty
+    assert "2 of the 3 handed in a Python file, which holds no written answers." in empty
+
+
 def test_what_a_marker_filled_in_comes_back_and_is_never_overwritten(folder):
     fill(
         folder / POINTS,

@@ -43,18 +43,21 @@ def within(seconds: float) -> contextlib.AbstractContextManager[None]:
 class Said:
     """In place of a test's process: says what it is told to, and notes what was sent to it."""
 
-    number, ended, gone = 0, Ended(0), False
+    number, ended, gone, spent = 0, Ended(0), False, 0.0
 
     def __init__(self, *said: object) -> None:
-        self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, [], []), *said)]
+        self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, [], [], 0, 0.0), *said)]
 
     def start(self, limits: Limits) -> Said:
         return self
 
-    def send(self, message: bytes, seconds: float) -> None:
+    def measure(self, process: int, before: float) -> None:
         pass
 
-    def exchange(self, message: bytes, seconds: float) -> bytes:
+    def send(self, message: bytes, seconds: float, until: float = 0.0) -> None:
+        pass
+
+    def exchange(self, message: bytes, seconds: float, until: float = 0.0) -> bytes:
         return self._said.pop(0)
 
     def end(self, process: object = None) -> None:
@@ -85,7 +88,7 @@ def test_thousands_of_failed_statements_take_no_time_at_an_error():
     failed = [([f"a{number}"], "E", "m" * 50, 1) for number in range(10_000)]
     same = [(["x"], "E", f"{number}", 1) for number in range(10_000)]
     text = "name 'x' is not defined" + "'a'" * 500_000
-    raised = [("answer", number, "raised", "NameError", text, 1, "") for number in (1, 2)]
+    raised = [("answer", number, "raised", "NameError", text, 1, [], "") for number in (1, 2)]
     call = begun(Said(("loaded", ["f"], failed[:8000]), *raised))
     with within(LONG):
         for _ in range(2):
@@ -137,8 +140,8 @@ def test_a_message_that_would_fill_the_memory_is_refused(body):
 
 def test_the_submission_pays_for_the_time_of_foreseen_calls():
     class Deaf(Said):
-        def send(self, message: bytes, seconds: float) -> None:
-            time.sleep(0.2)
+        def send(self, message: bytes, seconds: float, until: float = 0.0) -> None:
+            self.spent += 0.2
 
     process = Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [], 5.0, ""))
     patience = Patience(Budget(10.0))

@@ -111,8 +111,9 @@ def test_a_submission_is_read_as_the_same_program_in_every_format(name, tmp_path
     found = [read(stored(name, written, tmp_path), wanted) for written in FORMATS]
     assert found[0].functions
     assert {ast.dump(ast.parse(each.text)) for each in found} == {ast.dump(ast.parse(found[0].text))}
-    told = {(each.functions, each.complaints, each.unread) for each in found}
-    assert told == {(found[0].functions, found[0].complaints, ())}
+    assert {(each.functions, each.complaints, each.unread) for each in found} == {
+        (found[0].functions, found[0].complaints, ())
+    }
 
 
 def test_there_are_far_more_than_fifty_right_answers_in_other_words():

@@ -10,9 +10,13 @@ import pytest
 from submissions import solved, stubs
 from tests_in_process import TOPICS
 
+from labs.grading.budget import Budget
 from labs.grading.calling.processes import Limits
+from labs.grading.errors import MachineBusy
 from labs.grading.feedback import report
+from labs.grading.judging import outcomes
 from labs.grading.judging.grade import Grade, grade
+from labs.grading.judging.pytest_run import run
 from labs.grading.judging.score_sheet import Sheet
 from reference import lecture
 
@@ -159,6 +163,19 @@ def test_a_function_that_never_returns_is_stopped_and_the_rest_is_graded(grader,
     assert "gave no answer within 0.6 s and was stopped → Does every loop in it come to an end" in text
     hidden = [outcome for outcome in found.sheet.outcomes if outcome.hidden and outcome.function == "count_impacts"]
     assert [outcome.parts[0].said for outcome in hidden] == ["the function took too long"]
+
+
+def test_a_machine_that_is_too_busy_for_the_diagnosis_makes_no_grade(grader, tmp_path, monkeypatch):
+    (tmp_path / "lab.py").write_text("def side_of_plane(separation, tolerance=0.0):\n    return 7\n")
+    budget = Budget()
+
+    def in_line(*given):
+        budget.until = 0.0
+        budget.refuse_if_overdue()
+
+    monkeypatch.setattr(outcomes, "diagnose", in_line)
+    with pytest.raises(MachineBusy):
+        run(tmp_path / "lab.py", ("detection",), ("visible",), grader, budget=budget)
 
 
 def test_no_process_is_left_once_a_grade_is_made(graded_alone):

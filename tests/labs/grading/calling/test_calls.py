@@ -11,8 +11,7 @@ import pytest
 from stand_ins import LOADED, PATIENT, SEALED, Scripted, begun, value
 
 from labs.grading import budget
-from labs.grading.budget import Budget
-from labs.grading.calling import calls
+from labs.grading.budget import ON_THE_CLOCK, Budget
 from labs.grading.calling.calls import Call
 from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Limits
@@ -21,6 +20,7 @@ from labs.grading.errors import (
     FunctionMissing,
     FunctionRaised,
     GraderFailed,
+    MachineBusy,
     NoAnswer,
     NotSteady,
     NotTried,
@@ -44,7 +44,8 @@ PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
         ("answer", PAIR, "value", 0.0, [], 1.0, ""), ("answer", 1, PAIR, 0.0, [], 1.0, ""),
         ("answer", 1, "value", PAIR, [], 1.0, ""), ("answer", 1, "value", 0.0, PAIR, 1.0, ""),
         ("answer", 1, "value", 0.0, [], 1.0, PAIR), ("answer", 2, "value", 0.0, [], 1.0, ""),
-        ("answer", 1, "raised", PAIR, "", 1, ""), ("answer", 1, "raised", "E", PAIR, 1, ""),
+        ("answer", 1, "raised", PAIR, "", 1, [], ""), ("answer", 1, "raised", "E", PAIR, 1, [], ""),
+        ("answer", 1, "raised", "E", "m", 1, PAIR, ""),
         ("answer", 1, "refused", PAIR, ""), ("answer", 1, "missing", PAIR, ""), ("answer", 1, "else", ""),
     ],
     ids=str,
@@ -62,15 +63,16 @@ def test_malformed_parts_of_an_answer_are_ignored():
         SEALED,
         ("loaded", ["f", PAIR, 1], [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)]),
         ("answer", 1, "value", 0.0, [PAIR, 7, -1, 10**30, 0], 5.0, "said"),
-        ("answer", 2, "raised", "E", "m", 10**1000, ""),
-        ("answer", 3, "raised", "E", "m", PAIR, ""),
+        ("answer", 2, "raised", "E", "m", 10**1000, [PAIR, 7, "g"], ""),
+        ("answer", 3, "raised", "E", "m", PAIR, [], ""),
     )
     call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     assert (call("f", 1.0), call.changed, call.printed) == (5.0, (0,), "said")
     for _ in range(2):
-        with pytest.raises(FunctionRaised, match=r"^f raised E: m$"):
+        with pytest.raises(FunctionRaised, match=r"^f raised E: m$") as raised:
             call("f", 1.0)
+        assert set(raised.value.through) <= {"g"}
 
 
 @pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
@@ -103,7 +105,7 @@ def test_output_and_changed_arguments_belong_to_one_call_alone():
 
 def test_a_failure_to_start_is_a_fault_of_the_grader():
     class Broken(Scripted):
-        def send(self, message: bytes, seconds: float) -> None:
+        def send(self, message: bytes, seconds: float, until: float = 0.0) -> None:
             raise OSError("full")
 
     def call():
@@ -120,7 +122,7 @@ def test_a_failure_to_start_is_a_fault_of_the_grader():
 def test_nothing_is_run_below_the_least_tier(tier):
     for least in Tier:
         call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
-        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"], []), LOADED)
+        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"], [], 0, 0.0), LOADED)
         if tier >= least:
             assert call.begin(process, least) is None
             assert (call.sealing.tier, call.sealing.missing) == (tier, ("no Landlock", "no seccomp"))
@@ -131,7 +133,7 @@ def test_nothing_is_run_below_the_least_tier(tier):
 
 
 def test_a_process_below_the_least_tier_is_ended_at_once():
-    process = Scripted(("sealed", int(Tier.LIMITS), [], []))
+    process = Scripted(("sealed", int(Tier.LIMITS), [], [], 0, 0.0))
     grader = SimpleNamespace(limits=PATIENT, least=Tier.NETWORK, host=process)
     with pytest.raises(GraderFailed), Remote(Submission("lab.py", ""), grader).fresh():
         pass
@@ -166,20 +168,22 @@ def test_a_call_that_cannot_be_sent_is_the_callers_mistake():
 
 @pytest.fixture
 def clock(monkeypatch):
-    """Time that passes when it is told to."""
-    now = SimpleNamespace(time=100.0)
-    for module in (calls, budget):
-        monkeypatch.setattr(module, "time", SimpleNamespace(monotonic=lambda: now.time))
+    """What passes when it is told to: s on the clock, and s that this process computes."""
+    now = SimpleNamespace(time=100.0, ran=7.0)
+    fake = SimpleNamespace(monotonic=lambda: now.time, thread_time=lambda: now.ran)
+    monkeypatch.setattr(budget, "time", fake)
     return now
 
 
-def slow(process, clock, seconds):
-    """Let each answer take so long."""
+def slow(process, seconds, clock=None, in_line=0.0):
+    """Let each answer cost the process so much of its own time, and so much more on the clock that it is in line."""
     exchange = process.exchange
 
-    def later(message, allowed):
-        clock.time += seconds
-        return exchange(message, allowed)
+    def later(message, allowed, until):
+        process.spent += seconds
+        if clock:
+            clock.time += seconds + in_line
+        return exchange(message, allowed, until)
 
     process.exchange = later
 
@@ -196,23 +200,23 @@ def test_the_limits_are_those_in_the_documentation():
 
 def test_a_call_may_take_what_call_test_and_submission_have_left(clock):
     call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=8.0), patience=90.0)
-    slow(process, clock, 3.0)
+    slow(process, 3.0)
     for _ in range(3):
         call("f")
     assert process.waits[1:] == [5.0, 5.0, 5.0, 2.0]
     call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=80.0), patience=9.0)
-    slow(process, clock, 2.0)
-    clock.time += 3.0  # spent by the grader, on what the submission made it do
+    slow(process, 2.0)
+    clock.ran += 3.0  # spent by the grader, on what the submission made it do
     for name in ("f", "g", "h"):
         call(name)
     assert process.waits[1:] == [3.0, 3.0, 3.0, 2.0]
-    with pytest.raises(NotTried, match="it was not tried: the 9 s that the whole file has are used up"):
+    with pytest.raises(NotTried, match="it was not tried to the end: the 9 s that the whole file has are used up"):
         call("f")
 
 
 def test_a_function_may_use_a_third_of_the_time_and_others_have_the_rest(clock):
     call, process = begun(*(value(n, 0.0) for n in range(1, 9)), limits=Limits(call=5.0, test=80.0), patience=30.0)
-    slow(process, clock, 4.0)
+    slow(process, 4.0)
     for _ in range(3):
         call("f")
     assert process.waits[2:] == [5.0, 5.0, 2.0]
@@ -229,7 +233,7 @@ USES = {"g": ["f"], "h": ["g"]}
 def test_functions_that_call_a_slow_one_share_its_time_and_name_it(clock):
     call, process = begun(*(value(n, 0.0) for n in range(1, 9)), limits=Limits(call=5.0, test=80.0), patience=30.0)
     call._patience.uses = lambda name: USES.get(name, ())
-    slow(process, clock, 2.0)
+    slow(process, 2.0)
     for name in ("f", "g", "h", "h"):
         call(name)
     assert process.waits[2:] == [5.0, 5.0, 5.0, 4.0]
@@ -237,7 +241,7 @@ def test_functions_that_call_a_slow_one_share_its_time_and_name_it(clock):
     call("k")
     assert process.waits[6:] == [5.0, 5.0]
     assert call._patience.slow == {"g", "h"}
-    with pytest.raises(OutOfTime, match=r"^h was not called: it calls your f, which is too slow$"):
+    with pytest.raises(OutOfTime, match=r"^h gave no answer: it calls your f, which is too slow$"):
         call("h")
 
 
@@ -246,7 +250,7 @@ def test_a_fast_function_has_its_time_whatever_it_might_call(clock):
     call._patience.uses = lambda name: USES.get(name, ())
     call("g")
     fast = process.exchange
-    slow(process, clock, 4.0)
+    slow(process, 4.0)
     for _ in range(3):
         call("f")
     process.exchange = fast
@@ -263,15 +267,38 @@ def test_a_call_of_one_that_ran_out_of_time_is_waited_for_less(clock):
     assert patience.slow == {"f", "h"}
 
 
+def test_waiting_in_line_costs_no_time_of_a_call_a_test_or_a_file(clock):
+    call, process = begun(*(value(n, 0.0) for n in range(1, 9)), limits=Limits(call=5.0, test=8.0), patience=9.0)
+    slow(process, 0.1, clock, in_line=20.0)
+    for _ in range(8):
+        assert call("f") == 0.0
+    assert process.waits[2:] == pytest.approx([3.0 - 0.1 * n for n in range(8)])  # a third of nine seconds, less these
+    assert process.until == 100.0 + 9.0 * ON_THE_CLOCK
+
+
+def test_a_file_that_the_clock_ends_is_not_graded_and_loses_nothing(clock):
+    call, process = begun(value(1, 0.0), MachineBusy(), limits=Limits(), patience=9.0)
+    slow(process, 0.1, clock, in_line=100.0)
+    call("f")
+    budget = call._patience.budget
+    budget.refuse_if_cut()
+    for _ in range(2):
+        with pytest.raises(MachineBusy, match="not graded for lack of time: the machine was too busy"):
+            call("f")
+    assert process.over
+    with pytest.raises(MachineBusy):
+        budget.refuse_if_cut()
+
+
 @pytest.mark.parametrize(
     ("limits", "patience", "words"),
     [
         (Limits(call=5.0, test=8.0), 50.0, "f gave no answer within 5 s and was stopped"),
-        (Limits(call=5.0, test=4.0), 50.0, r"within 4 s \(the test's time is up\) and was stopped"),
+        (Limits(call=5.0, test=4.0), 50.0, "^f gave no answer: the 4 s of this test are used up$"),
         (
             Limits(call=5.0, test=4.0),
             6.0,
-            r"within 2 s \(its share of the time for the whole file is up\) and was stopped",
+            "^f gave no answer: it has taken 2 s in all, which is its share of the 6 s that the whole file has$",
         ),
     ],
 )
@@ -290,19 +317,21 @@ def test_a_timeout_names_the_limit_that_was_reached(limits, patience, words, clo
 @pytest.mark.parametrize(
     ("said", "error", "words"),
     [
-        (("raised", "ValueError", "so", 3), FunctionRaised, "f raised ValueError: so (line 3)"),
-        (("raised", "ValueError", "", None), FunctionRaised, "f raised ValueError"),
-        (("raised", "V\x1b" * 200, "s\n\x1bo", None), FunctionRaised,
+        (("raised", "ValueError", "so", 3, []), FunctionRaised, "f raised ValueError: so (line 3)"),
+        (("raised", "ValueError", "", None, []), FunctionRaised, "f raised ValueError"),
+        (("raised", "V\x1b" * 200, "s\n\x1bo", None, []), FunctionRaised,
          "f raised " + "V␛" * 50 + " … (400 characters in all): s ␛o"),
-        (("raised", "ValueError", "so", 0), FunctionRaised, "f raised ValueError: so"),
-        (("raised", "ValueError", "so", CODE_LIMIT), FunctionRaised, f"f raised ValueError: so (line {CODE_LIMIT})"),
-        (("raised", "ValueError", "so", CODE_LIMIT + 1), FunctionRaised, "f raised ValueError: so"),
-        (("raised", "NameError", "name 'rate' is not", 3), FunctionRaised,
+        (("raised", "ValueError", "so", 0, []), FunctionRaised, "f raised ValueError: so"),
+        (("raised", "ValueError", "so", CODE_LIMIT, []), FunctionRaised,
+         f"f raised ValueError: so (line {CODE_LIMIT})"),
+        (("raised", "ValueError", "so", CODE_LIMIT + 1, []), FunctionRaised, "f raised ValueError: so"),
+        (("raised", "NameError", "name 'rate' is not", 3, []), FunctionRaised,
          "f raised NameError: name 'rate' is not (line 3). On loading: KeyError: 'k' (line 2)"),
-        (("raised", "KeyError", "name 'rate' is not", None), FunctionRaised, "f raised KeyError: name 'rate' is not"),
-        (("raised", "NameError", "name 'other' is not", None), FunctionRaised,
+        (("raised", "KeyError", "name 'rate' is not", None, []), FunctionRaised,
+         "f raised KeyError: name 'rate' is not"),
+        (("raised", "NameError", "name 'other' is not", None, []), FunctionRaised,
          "f raised NameError: name 'other' is not"),
-        (("raised", "NotImplementedError", "", 3), FunctionMissing, "needs f: it is not written yet"),
+        (("raised", "NotImplementedError", "", 3, []), FunctionMissing, "needs f: it is not written yet"),
         (("refused", "an object\nof type X"), WrongType,
          "f gave an object of type X; an answer is a number, text, an array or a tuple of these"),
         (("missing",), FunctionMissing, "needs f: it is not in the submission"),
@@ -332,7 +361,7 @@ def test_a_function_whose_definition_failed_says_how_and_where():
 
 
 def test_an_exception_costs_the_call_and_a_forged_answer_the_process():
-    call, process = begun(("answer", 1, "raised", "E", "m", None, ""), value(2, 5.0), ("answer", 3, "value", ""))
+    call, process = begun(("answer", 1, "raised", "E", "m", None, [], ""), value(2, 5.0), ("answer", 3, "value", ""))
     with pytest.raises(FunctionRaised):
         call("f")
     assert (call("f"), process.over) == (5.0, False)

@@ -101,6 +101,79 @@ def test_an_error_of_its_own_is_held_against_a_caller_of_a_wrong_function():
     assert entry(MISTAKEN, WRONG, raised)["verdict"] == "wrong"
 
 
+RAISES_AT_TIMES = """
+
+class Odd(Exception):
+    pass
+
+
+def helper(normal):
+    raise ValueError(f"{{np.shape(normal)}}")
+
+
+_right = normal_velocity
+
+
+def normal_velocity(body_a, body_b, normal):
+    if {when}:
+        {error}
+    return _right(body_a, body_b, normal)
+"""
+"""Raised for some inputs; the words depend on the inputs, and so differ between this function and its callers."""
+WHEN = {"always": "True", "at times": "np.any(np.asarray(body_a[0])[..., 0] > 0)"}
+ERRORS = {
+    "ValueError": "raise ValueError(f'shape {np.shape(normal)}')",
+    "TypeError": "raise TypeError(f'shape {np.shape(normal)}')",
+    "IndexError": "return np.zeros(np.size(normal))[99]",
+    "KeyError": "return {}[np.shape(normal)]",
+    "ZeroDivisionError": "return 1 / 0",
+    "AttributeError": "return normal.nothing",
+    "NameError": "return undefined_name",
+    "AssertionError": "assert False, np.shape(normal)",
+    "AxisError": "return np.sum(normal, axis=9)",
+    "LinAlgError": "return np.linalg.inv(np.zeros((3, 3)))",
+    "shapes": "return np.zeros(np.ndim(normal) + 4) + np.zeros(7)",
+    "a class of its own": "raise Odd(normal)",
+    "in a helper": "helper(normal)",
+}
+QUICK = (("ValueError", "at times"), ("in a helper", "always"))
+
+
+@pytest.mark.usefixtures("one_grader")
+@pytest.mark.parametrize(
+    ("error", "when"),
+    [
+        pytest.param(error, when, marks=() if (error, when) in QUICK else pytest.mark.slow)
+        for error in ERRORS
+        for when in WHEN
+    ],
+)
+def test_an_error_out_of_a_wrong_function_accuses_none_of_its_callers(error, when, tmp_path):
+    path = solved(tmp_path, "impulse")
+    path.write_text(path.read_text() + RAISES_AT_TIMES.format(when=WHEN[when], error=ERRORS[error]))
+    sheet = run(path, ("impulse",), ("visible",), functions=("normal_velocity", "impulse_magnitude", "collide"))
+    found = {each["name"]: each for each in Grade(("impulse",), sheet).content()["functions"]}
+    assert found["normal_velocity"]["verdict"] == "crashes"
+    for name in ("impulse_magnitude", "collide"):
+        assert found[name]["verdict"] == "calls a wrong function", found[name]["message"]
+        assert "normal_velocity" in found[name]["mend_first"]
+        assert "raised" not in found[name]["message"]
+
+
+def test_an_error_of_a_caller_is_its_own_though_another_one_passed_through_the_callee():
+    theirs = lost("collide", "collide raised ValueError: b (line 9)", through=("collide", "apply_impulse"))
+    own = lost("collide", "collide raised TypeError: no (line 3)", through=("collide",))
+    sheet = Sheet(
+        outcomes=[lost("apply_impulse", "apply_impulse raised ValueError: a (line 9)"), theirs, own],
+        diagnoses={"collide": Diagnosis("collide", "crashes"), "apply_impulse": WRONG},
+        uses={"collide": ["apply_impulse"]},
+    )
+    found = Grade(("impulse",), sheet).content()["functions"][1]
+    assert found["verdict"] == "crashes"
+    assert "TypeError: no" in found["message"]
+    assert "ValueError" not in found["message"]
+
+
 def test_a_function_that_is_wrong_for_many_alone_excuses_no_number():
     found = entry(MISTAKEN, Diagnosis("apply_impulse", "one at a time"))
     assert (found["verdict"], found["mistakes"]) == ("named", [BELOW.id])
