@@ -1,4 +1,4 @@
-"""The page of the course: what depends on what, the hours of each lab, and courses of three labs and of ten weeks.
+"""The page of the course: what depends on what, the hours of each lab, and courses of three labs, five and ten weeks.
 
 `collisions lab build` writes it to `docs/course.md`. Hours and functions come from the lessons, so they are said once.
 """
@@ -26,12 +26,14 @@ IDEAS: Mapping[str, tuple[str, str]] = {
     ),
     "forces": ("derivatives", "nothing"),
     "meshes": ("derivatives, matrices", "springs and their longest timestep (`forces`)"),
-    "avoidance": ("the dot product", "nothing"),
+    "avoidance": ("the dot product, derivatives", "nothing"),
     "world": ("linear equations", "impulses (`impulse`) and friction (`friction`)"),
 }
 """Of each lab, what it needs of mathematics, and which idea of an earlier lab it builds on."""
 SPINE = ("detection", "response", "impulse")
 """The three labs that follow the lecture from its first slides on detection to the impulse of two rigid bodies."""
+FIVE = ("detection", "response", "friction", "impulse", "world")
+"""Five labs that end with a simulator: those that `world` builds on, and `world`."""
 
 
 def page() -> str:
@@ -42,11 +44,30 @@ def page() -> str:
         count=_COUNTS[len(there)].capitalize(),
         missing=_missing(there),
         minutes=_minutes(there),
-        spine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in SPINE),
-        only=" ".join(f"--only {name}" for name in SPINE if name in there),
+        spine=_titles(SPINE),
+        five=_titles(FIVE),
+        spine_statements=_covered(SPINE),
+        five_statements=_covered(FIVE),
+        all_statements=len(lecture.STATEMENTS),
+        only=_only(SPINE, there),
+        only_five=_only(FIVE, there),
         later=_later([name for name in SPINE if name not in there]),
+        later_of_five=_later([name for name in FIVE if name not in there]),
         first=SPINE[0],
     )
+
+
+def _titles(names: Sequence[str]) -> str:
+    return ", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in names)
+
+
+def _only(names: Sequence[str], there: Sequence[str]) -> str:
+    return " ".join(f"--only {name}" for name in names if name in there)
+
+
+def _covered(names: Sequence[str]) -> int:
+    """How many statements of the lecture some labs cover."""
+    return len({entry.statement for name in names for entry in lecture.functions_of(name)})
 
 
 def _table(there: Sequence[str]) -> str:
@@ -114,6 +135,21 @@ collisions lab release --out week-1.zip {only} --through {first}
 
 writes what the students get in the first week{later}. For
 the next week, name the next lab in `--through`; the release then also has the answers of the labs before it.
+
+## Five labs
+
+If you have five weeks and an hour or two more, take the labs that lead to a simulator:
+{five}. The last one puts the functions of the other
+four together, and needs two sessions.
+
+```sh
+collisions lab release --out week-1.zip {only_five} --through {first}
+```
+
+begins this course{later_of_five}. The three labs cover {spine_statements} of the {all_statements} statements of the
+lecture, and the five labs cover {five_statements}. If you would rather show more of the lecture than finish a
+simulator, take any other two: `sweeping`, `polyhedra`, `forces` and `avoidance` need at most what `detection` teaches,
+and `meshes` needs `forces`.
 
 ## Ten weeks
 

@@ -20,7 +20,17 @@ BANK_ENTRY = {
     ("sweeping", "zone"): "ray_sphere/exit from within",
     ("sweeping", "viewer"): "ray_box/along an axis is inside",
     ("sweeping", "pipes"): "ray_capsule/ends left out",
+    ("forces", "bungee"): "spring_damper_force/difference of the speeds",
+    ("forces", "sail"): "wind_force/difference of squares",
+    ("forces", "buffers"): "spring_step_limit/explicit underdamped always",
+    ("meshes", "marionette"): "mesh_forces/a rope",
+    ("meshes", "scaffold"): "diagonals/by the count",
+    ("meshes", "game"): "timestep_bound/stiffest and lightest",
+    ("avoidance", "ferries"): "nearest_approach/in the past",
+    ("avoidance", "lighthouse"): "repelling_force/size of the separation",
+    ("avoidance", "balloon"): "tangent_point/horizontal alone",
 }
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 3], [3, 0]]
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
     ("detection", "distance"): ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
@@ -45,6 +55,15 @@ EXPOSING = {
     ("sweeping", "zone"): ([0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 1.0),
     ("sweeping", "viewer"): ([-3.0, 0.0, 5.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
     ("sweeping", "pipes"): ([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
+    ("forces", "bungee"): ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0], 5.0, 1.0, 3.0),
+    ("forces", "sail"): ([2.0, 0.0, 0.0], [3.0, 0.0, 0.0], 1.0, 0.5, 1.2),
+    ("forces", "buffers"): (2.0, 3.0, 5.0),
+    ("meshes", "marionette"): (([[0, 1]], [2], [5], [0], [1, 1], [0, 0]), [[0, 0, 0], [1, 0, 0]], [[0, 0, 0]] * 2),
+    ("meshes", "scaffold"): (*SQUARE, [[0, 2], [1, 3]]),
+    ("meshes", "game"): (([[0, 1], [1, 2]], [1, 1], [50, 50], [0, 0], [0.1, 9, 1], [0, 0, 0]),),
+    ("avoidance", "ferries"): ([3.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], 1.0, 1.0),
+    ("avoidance", "lighthouse"): (-1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
+    ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [5.0, 0.0, 0.0], 3.0),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -65,4 +84,17 @@ HARMLESS = {
     ("sweeping", "zone"): ([0.0, 0.5, -3.0], [0.0, 0.0, 2.0], 1.0),
     ("sweeping", "viewer"): ([-3.0, 0.2, -1.5], [1.0, 0.1, 0.4], [1.0, 1.0, 1.0]),
     ("sweeping", "pipes"): ([2.0, 0.1, 0.3], [-1.0, 0.0, 0.1], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
+    ("forces", "bungee"): ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 0.0], 5.0, 1.0, 3.0),
+    ("forces", "sail"): ([0.0, 0.0, 0.0], [3.0, 1.0, 0.0], 1.0, 0.5, 1.2),
+    ("forces", "buffers"): (2.0, 3.0, 1.0),
+    ("meshes", "marionette"): (([[0, 1]], [2], [5], [0], [1, 1], [0, 0]), [[0, 0, 0], [3, 0, 0]], [[0, 0, 0]] * 2),
+    ("meshes", "scaffold"): (
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        [[0, 1], [0, 2], [0, 3], [1, 2]],
+        [[1, 3], [2, 3]],
+    ),
+    ("meshes", "game"): (([[0, 1], [1, 2]], [1, 1], [50, 50], [0, 0], [1, 1, 1], [0, 0, 0]),),
+    ("avoidance", "ferries"): ([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [-1.0, 0.0, 0.0], 1.0, 0.5),
+    ("avoidance", "lighthouse"): (1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
+    ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, -0.5, 0.0], [5.0, 0.0, 0.0], 3.0),
 }

@@ -18,6 +18,9 @@ from labs.grading.wrapping import WIDTH
 ODD = "Something else is wrong besides:"
 MOST = 12
 """An array of up to so many numbers is shown number by number."""
+DUST = 1e-13
+"""In units of the scale of an answer: what some hundred roundings in double precision, 1e-16 each, may leave of zero,
+and ten times more."""
 SPACE = 3
 """So many coordinates has a point in space."""
 
@@ -43,6 +46,8 @@ def example_of(found: Counterexample) -> str:
 def verdict(diagnosis: Diagnosis) -> list[str]:
     """What is wrong, and the hint, a paragraph each. The first one follows the function's name."""
     first = next(iter(diagnosis.mistakes), None)
+    if diagnosis.changes_input and diagnosis.verdict in _SAYS_LITTLE:
+        return [f"{'its answers are right, but ' if diagnosis.verdict == 'right' else ''}{_WRITES}"]
     if diagnosis.verdict == "another order":
         wanted = output_names(diagnosis.function)
         given, asked = ", ".join(wanted[at] for at in diagnosis.order), ", ".join(wanted)
@@ -64,8 +69,8 @@ def verdict(diagnosis: Diagnosis) -> list[str]:
 def besides(diagnosis: Diagnosis) -> list[str]:
     """What else was seen, a paragraph each."""
     found = []
-    if diagnosis.changes_input:
-        found.append("It writes into its arguments, as a += b and a[0] = b do: the caller's own arrays change.")
+    if diagnosis.changes_input and diagnosis.verdict not in _SAYS_LITTLE:
+        found.append(_WRITES[0].upper() + _WRITES[1:])
     if diagnosis.one_alone and not diagnosis.crash_in_many:
         found.append("With several cases in one call it is wrong in another way besides.")
     if diagnosis.crashes and diagnosis.verdict not in ("crashes", "unwritten"):
@@ -76,6 +81,9 @@ def besides(diagnosis: Diagnosis) -> list[str]:
     return found
 
 
+_WRITES = "it writes into its arguments, as a += b and a[0] = b do: the caller's own arrays change."
+_SAYS_LITTLE = ("right", "wrong")
+"""Verdicts beside which nothing more has to be said than that a function writes into its arguments."""
 _AT_LIMITS = "right in the usual cases, not yet in limiting ones."
 _WITHOUT_NAME = {
     "right": "right on every probe.",
@@ -124,17 +132,22 @@ def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
 def answered(answer: Answer, right: Right, names: Sequence[str] = ()) -> tuple[str, str]:
     """A function's answer and the right one in words."""
     truths = _are_truths(answer.value, right)
-    expected = labelled([shown(array.astype(bool) if truths else array) for array in right.outputs], names)
+    expected = labelled([_cleaned(*each, truths) for each in zip(right.outputs, right.scales, strict=True)], names)
     found = outputs(answer.value, len(right.outputs))
     if answer.error:
         came = answer.error
     elif found is None:
         came = no_answer(answer.value, len(right.outputs), answer.printed)
     else:
-        came = labelled([shown(array.astype(bool) if truths else array) for array in found], names)
+        came = labelled([_cleaned(*each, truths) for each in zip(found, right.scales, strict=True)], names)
         if [array.shape for array in found] != [array.shape for array in right.outputs]:
             came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
     return came, expected
+
+
+def _cleaned(array: Any, scale: float, truths: bool) -> str:
+    """One of the things returned, with zero for what rounding leaves of zero, or as flags."""
+    return shown(array.astype(bool) if truths else np.where(np.abs(array) < DUST * scale, 0.0, array))
 
 
 def _are_truths(value: Any, right: Right) -> bool:
@@ -162,7 +175,9 @@ def shown(value: Any) -> str:
 
 
 def _box(array: Any) -> str:
-    """Of many points (n, 3) the corners of the box around them; nothing of other arrays."""
+    """Of many points (n, 3) the corners of the box around them, of many flags which are true; nothing of others."""
+    if array.ndim == 1 and array.dtype.kind == "b" and 0 < np.count_nonzero(array) <= MOST:
+        return f", True at {_nested(np.flatnonzero(array).tolist())}"
     if array.ndim != 2 or array.shape[1] != SPACE or array.dtype.kind != "f" or not np.isfinite(array).all():
         return ""
     return f" between {_nested(array.min(axis=0).tolist())} and {_nested(array.max(axis=0).tolist())}"
@@ -170,7 +185,9 @@ def _box(array: Any) -> str:
 
 def _is_diagonal(array: Any) -> bool:
     square = array.ndim == 2 and array.shape[0] == array.shape[1] > 1
-    return square and array.dtype.kind != "b" and not np.any(array[~np.eye(len(array), dtype=bool)])
+    if not square or array.dtype.kind == "b" or not np.any(array):  # zeros may as well be vectors
+        return False
+    return not np.any(array[~np.eye(len(array), dtype=bool)])
 
 
 def _nested(value: Any) -> str:

@@ -42,6 +42,10 @@ _ADVICE = (
         r"'Body' object has no attribute",
         "The parts of a body of the lab are velocity, angular_velocity, arm, inverse_mass and inverse_inertia.",
     ),
+    (
+        r"Cannot cast ufunc '\w+' output from dtype\('float64'\) to dtype\('int",
+        "An array of whole numbers can hold no others: np.array(p, dtype=float) makes your own of them.",
+    ),
     (r"maximum recursion depth", "It calls itself again and again."),
     (r"positional arguments? but \d+ (was|were) given", "Its arguments have to be those of the stub, in their order."),
     (

@@ -9,7 +9,7 @@ from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.words import ODD, besides, example_of, listed, verdict
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.one_at_a_time import explained
-from labs.grading.judging.blame import certain, elsewhere, failures_of, gives_wrong_numbers, without_answers
+from labs.grading.judging.blame import certain, elsewhere, failures_of, misleads, without_answers
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import (
     ended_without_numbers,
@@ -89,7 +89,7 @@ def _is_hint(paragraph: str) -> bool:
 def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
     """What is certain of its own mistakes, and which of its parts to report. uses: wrong functions that it calls."""
     diagnosis = certain(sheet, name, uses)
-    if any(gives_wrong_numbers(sheet, other) for other in uses):
+    if any(misleads(sheet, other, name) for other in uses):
         return None, _told(without_answers(sheet, name, uses, failures), 1)
     return diagnosis, _told(failures, 1 if uses or _says_all(diagnosis) else MOST_PARTS)
 
@@ -103,7 +103,8 @@ def suspect(name: str, diagnosis: Diagnosis, advice: Advice, levels: int | None 
     """What open probes show of a function that passes its tests. levels: as for `wrong`."""
     every = _levels(diagnosis, has_help=False)
     wrong = "too slow" if diagnosis.verdict == "too slow" else "wrong"
-    yield from folded(f"It passes these tests, and is {wrong} on other input all the same.", 1)
+    rest = "" if diagnosis.verdict == "right" else f", and is {wrong} on other input all the same"
+    yield from folded(f"It passes these tests{rest}.", 1)
     yield from _diagnosed(diagnosis, (), advice, every[:levels])
     yield from _next_level(name, every, levels)
 

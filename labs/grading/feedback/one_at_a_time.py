@@ -11,7 +11,9 @@ from reference import lecture
 
 _DONE = (
     "Where a test has several cases in one call, the lab called it for one case after the other instead, and those"
-    " answers are right. That costs one part of the {topic} lab, this one, however many of its functions do it."
+    " answers are right. That costs one part of the {topic} lab, this one, however many of its functions do it. But a"
+    " function of yours that hands it several cases in one call gets no right numbers from it, and loses its own parts"
+    " until this one is mended."
 )
 _HOW = "To turn a function of one case into one of many:"
 _WHERE = "It is written for one case. The check of {at} shows how to write for one or many."

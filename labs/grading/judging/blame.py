@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.probes import probes
 from labs.grading.diagnosis.words import listed, told
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import needed_function, no_answer_in, was_raised
+from reference.errors import UnknownName
 
 _RIGHT_ALONE = ("right", "one at a time", "unwritten")
 """Verdicts on functions that give no wrong number to a function that calls them for a single case."""
@@ -18,6 +21,9 @@ NOT_EXPLAINED = "wrong"
 """The verdict on a function that failed a test, and of which nothing more is known."""
 CALLS_WRONG, BESIDE_WRONG = "calls a wrong function", "tested with a wrong function"
 """Verdicts on functions that may be right: they call a wrong function, or all that they lost are runs that call one."""
+_OF_SHAPES = re.compile(r"shape|broadcast|dimension|out of bounds|not aligned")
+"""What is said of errors that an array of another shape than promised may bring about: they are not held against the
+caller of a function that gives one."""
 Failures = Sequence[tuple[str, str]]
 """Lost parts, each with what was tried and the answer."""
 
@@ -30,13 +36,40 @@ def gives_wrong_numbers(sheet: Sheet, name: str) -> bool:
     return not (name in sheet.suspects and diagnosis.limits_alone)
 
 
+def misleads(sheet: Sheet, other: str, name: str) -> bool:
+    """Whether a wrong function may be all that is wrong with one that calls it.
+
+    So may one that is right for each single case of its probes, unless the caller makes a known mistake: if it writes
+    into its arguments, which the caller still needs; if it fails for several cases, and the caller has no single case;
+    or if a test finds a mistake that neither its own probes nor those of the caller show.
+    """
+    if gives_wrong_numbers(sheet, other):
+        return True
+    known, own = sheet.diagnosis(other), sheet.diagnosis(name)
+    if known is None or known.verdict not in ("right", "one at a time") or (own and own.mistakes):
+        return False
+    if known.changes_input:
+        return True
+    if known.verdict == "one at a time":
+        return not _is_asked_for_several(name)
+    return "" in sheet.causes(other) and (own is None or own.verdict in ("right", "wrong"))
+
+
+def _is_asked_for_several(name: str) -> bool:
+    """Whether there is a single case of a function, so that its probes ask for several in one call as well."""
+    try:
+        return any(probe.group == "many" for probe in probes(name))
+    except UnknownName:
+        return True
+
+
 def certain(sheet: Sheet, name: str, uses: Collection[str]) -> Diagnosis | None:
     """What is certain of a function that lost points. uses: the wrong functions that it calls.
 
-    If one of these gives it wrong numbers, its own numbers say nothing about it.
+    If one of these misleads it, its own numbers say nothing about it.
     """
     diagnosis = sheet.diagnoses.get(name)
-    if any(gives_wrong_numbers(sheet, other) for other in uses):
+    if any(misleads(sheet, other, name) for other in uses):
         return None
     if diagnosis and uses:
         return replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
@@ -52,6 +85,8 @@ def without_answers(sheet: Sheet, name: str, uses: Collection[str], failures: Fa
     theirs = {own_words(said, name) for each in sheet.about(name) for said in each.raised_in(uses)}
     theirs |= {own_words(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
     none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
+    if any((known := sheet.diagnosis(other)) and known.verdict == "shape" for other in uses):
+        none = [(reason, said) for reason, said in none if not _OF_SHAPES.search(said)]
     return [(reason, said) for reason, said in none if said not in theirs]
 
 
@@ -98,7 +133,7 @@ class Blame:
         """All that is said of the function."""
         yield from self.why
         if self.diagnosis:
-            yield told(self.diagnosis)
+            yield told(replace(self.diagnosis, accepted=()))  # no test asks for errors
 
 
 def blame_of(sheet: Sheet, name: str) -> Blame:
@@ -116,7 +151,7 @@ def blame_of(sheet: Sheet, name: str) -> Blame:
         return Blame("unwritten", tuple(uses), None, (f"{name} waits for {listed(waits)}.",))
     in_runs = elsewhere(sheet, name, uses)
     mend_first = tuple(dict.fromkeys([*uses, *(other for others in in_runs.values() for other in others)]))
-    if misleading := _misleading(sheet, found, uses):
+    if misleading := _misleading(sheet, name, found, uses):
         own = without_answers(sheet, name, uses, failures_of(sheet, name))
         said = dict.fromkeys(words for _, words in own if words)
         without_numbers = _verdict(found) if found and found.verdict in ("crashes", "shape") else NOT_EXPLAINED
@@ -145,10 +180,10 @@ def _verdict(found: Diagnosis | None) -> str:
     return found.verdict if found and found.verdict != "right" else NOT_EXPLAINED
 
 
-def _misleading(sheet: Sheet, found: Diagnosis | None, uses: Collection[str]) -> list[str]:
+def _misleading(sheet: Sheet, name: str, found: Diagnosis | None, uses: Collection[str]) -> list[str]:
     """Those of the functions that one calls which explain its failures, as far as their numbers or their time can."""
     if found and found.verdict in _HOLDS_ANYWAY:
         return []
-    wrong = [other for other in uses if gives_wrong_numbers(sheet, other)]
+    wrong = [other for other in uses if misleads(sheet, other, name)]
     slow = [other for other in wrong if (known := sheet.diagnosis(other)) and known.verdict == "too slow"]
     return slow if found and found.verdict == "too slow" else wrong

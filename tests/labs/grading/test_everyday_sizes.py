@@ -18,16 +18,22 @@ from tests_in_process import Asked, collected, run_test
 from labs.grading.judging.case_by_case import CaseByCase
 from reference import lecture
 
-LABS = ("response", "friction", "polyhedra", "sweeping")
+LABS = ("response", "friction", "polyhedra", "sweeping", "forces", "meshes", "avoidance")
 WRITTEN = [entry.name for topic in LABS for entry in lecture.functions_of(topic) if entry.role == "written"]
 TESTS = collected("visible", "hidden")
 OF_ONE_SIZE = {
     "normal", "restitution", "behind", "faces", "faces_a", "faces_b", "steps", "looks", "adhesive", "friction",
-    "static_friction", "kinetic_friction", "steps_per_contact",
+    "static_friction", "kinetic_friction", "steps_per_contact", "ends", "drag_coefficient",
+    "edges", "candidates", "limit", "iterations",
+    "first", "second",
 }  # fmt: skip
 """Arguments without a unit."""
-SPARED = {("advance", "tolerance", "without the large")}
-"""A tolerance is small."""
+SPARED = {
+    ("advance", "tolerance", "without the large"),
+    ("mesh_sphere_contact", "mesh", "without the small"),
+    ("mesh_sphere_contact", "mesh", "without the large"),
+}
+"""A tolerance is small, and a node meets a sphere whatever its springs and its mass are."""
 
 
 def without_the_small(value):
@@ -52,7 +58,14 @@ def quiet():
 
 def changed(function, place, change):
     """A function that sees one of its arguments changed."""
-    return lambda *given: function(*(change(each) if at == place else each for at, each in enumerate(given)))
+    return lambda *given: function(*(_in(each, change) if at == place else each for at, each in enumerate(given)))
+
+
+def _in(value, change):
+    """Of a mesh or a body, every part that is measured."""
+    if isinstance(value, tuple):
+        return tuple(_in(part, change) if np.asarray(part).dtype.kind == "f" else part for part in value)
+    return change(value)
 
 
 def loses(name, function):

@@ -18,6 +18,8 @@ Place = tuple[int, ...]
 Change = Callable[[Any], Any]
 PARTS = ("velocity", "angular_velocity", "arm", "inverse_mass", "inverse_inertia")
 """The parts of a body, in their order."""
+MESH = ("edges", "rest_length", "stiffness", "damping", "mass", "pinned")
+"""The parts of a spring mesh, in their order."""
 AFTER = ("velocity_a", "angular_velocity_a", "velocity_b", "angular_velocity_b")
 """The parts of the velocities after an impact, in their order."""
 
@@ -39,7 +41,7 @@ def wrong_arguments(parameters: Sequence[str], sample: Sequence[Any]) -> Iterato
 def _places(parameters: Sequence[str], sample: Sequence[Any]) -> Iterator[tuple[Place, str]]:
     for at, (name, value) in enumerate(zip(parameters, sample, strict=False)):
         if isinstance(value, tuple):
-            parts = AFTER if name == "after" else PARTS
+            parts = {"after": AFTER, "mesh": MESH}.get(name, PARTS)
             yield from (((at, part), f"{parts[part]} of {name}") for part in range(len(value)))
         elif isinstance(value, float | np.ndarray):  # no flag, and no number of rounds
             yield (at,), name
@@ -54,6 +56,8 @@ def _mistaken(name: str) -> set[str]:
 
 def _changes(value: Any) -> Iterator[tuple[str, Change]]:
     yield "left out", lambda given: 0.0 * given
+    if np.asarray(value).dtype.kind != "f":  # numbers of nodes, and flags
+        return
     yield "sign flipped", lambda given: -given
     match np.ndim(value):
         case 0:
@@ -65,7 +69,11 @@ def _changes(value: Any) -> Iterator[tuple[str, Change]]:
             for axis in AXES:
                 yield f"axis {axis} left out", functools.partial(without, axis)
                 yield f"axis {axis} alone", functools.partial(alone, axis)
-        case 2 if value.shape[0] == value.shape[1]:
+        case 2 if value.shape[0] != value.shape[1]:
+            for axis in AXES:
+                yield f"axis {axis} left out", functools.partial(without, axis)
+                yield f"axis {axis} alone", functools.partial(alone, axis)
+        case 2:
             yield "only the diagonal", diagonal
             yield "1 for it", lambda given: np.broadcast_to(np.eye(given.shape[-1]), np.shape(given))
 

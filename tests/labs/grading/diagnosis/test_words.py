@@ -39,6 +39,9 @@ EXAMPLE = Counterexample(
         (np.zeros((1, MOST + 1)), f"an array (1, {MOST + 1})"),
         (np.array([[1.0, 0.0], [2.0, 1.0]]), "((1, 0), (2, 1))"),
         (np.diag([1.0, 2.0]), "diag(1, 2)"),
+        (np.zeros((3, 3)), "((0, 0, 0), (0, 0, 0), (0, 0, 0))"),
+        (np.arange(15) % 7 == 2, "an array (15,), True at (2, 9)"),
+        (np.zeros(15, dtype=bool), "an array (15,)"),
         (np.eye(2, dtype=bool), "((True, False), (False, True))"),
         (np.zeros((2, 3)), "((0, 0, 0), (0, 0, 0))"),
         (np.ones((1, 1)), "((1,),)"),
@@ -73,6 +76,14 @@ def test_the_answer_is_shown_above_what_physics_says(answer, right, came):
     assert compared(answer, Right(arrays, (1.0,) * len(arrays))) == f"gives   {came}\nphysics {physics}"
 
 
+def test_what_rounding_leaves_of_zero_is_shown_as_zero():
+    right = Right((np.array([0.0, 3.0]),), (3.0,))
+    assert "gives   (0, 2)" in compared(Answer([-2.2e-16, 2.0]), right)
+    assert "gives   (1e-06, 2)" in compared(Answer([1e-6, 2.0]), right)
+    small = Right((np.array([0.0, 3e-9]),), (3e-9,))
+    assert "gives   (1e-16, 3e-09)" in compared(Answer([1e-16, 3e-9]), small)
+
+
 def words(verdict, *mistakes, **more):
     return " ".join(told(Diagnosis("f", verdict, mistakes, **more)).split())
 
@@ -96,7 +107,10 @@ def test_each_verdict_has_its_own_words():
 def test_further_findings_are_added_to_a_verdict():
     example = "For example impulse_magnitude(v=-2, e=0.5), down gives -1 physics 1"
     assert words("unknown", counterexample=EXAMPLE).endswith(example)
-    assert "writes into its arguments" in words("right", changes_input=True)
+    in_place = "it writes into its arguments, as a += b and a[0] = b do: the caller's own arrays change."
+    assert words("right", changes_input=True) == f"f: its answers are right, but {in_place}"
+    assert words("wrong", changes_input=True) == f"f: {in_place}"
+    assert words("named", FIRST, changes_input=True).endswith(f"Hint: {FIRST.help} I{in_place[1:]}")
     assert words("right", accepted=("less", "more")).endswith("It should refuse, with a ValueError: less; more.")
     assert words("unknown", crashes=("first", "second")).endswith("On some input it ends in an error: first")
     alone = "With several cases in one call it is wrong in another way besides."

@@ -33,6 +33,7 @@ def test_functions_of_one_case_lose_one_part_of_the_lab_together(tmp_path, grade
     text = joined("\n".join(report.report(sheet, ("impulse",))))
     assert "✗ edge_edge_normal 1 of 2 parts right Not yet: both in one call raised ValueError" in text
     assert "That costs one part of the impulse lab, this one, however many of its functions do it." in text
+    assert "hands it several cases in one call gets no right numbers from it" in text
     assert text.count("np.where((s < 0)[..., None], b, c)") == 1
     assert "✓ inverse_effective_mass for one case at a time" in text
     assert "✓ normal_velocity" in text

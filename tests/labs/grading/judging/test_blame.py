@@ -187,6 +187,47 @@ def test_only_a_slow_function_excuses_one_that_calls_it_for_its_time():
     assert entry(slow, WRONG)["verdict"] == "too slow"
 
 
+def asked_of_all_balls(found, drag, said="total_force(...)\ngives 1\nphysics 2"):
+    """The entry of `total_force`, which hands all balls at once to `stokes_drag`, which has lost points as well."""
+    sheet = Sheet(
+        outcomes=[lost("stokes_drag"), lost("total_force", said)],
+        diagnoses={"total_force": found, "stokes_drag": drag},
+        uses={"total_force": ["stokes_drag"]},
+    )
+    return Grade(("forces",), sheet).content()["functions"][1]
+
+
+@pytest.mark.parametrize(
+    "drag",
+    [
+        Diagnosis("stokes_drag", "one at a time"),
+        Diagnosis("stokes_drag", "right", changes_input=True),
+        Diagnosis("stokes_drag", "one at a time", changes_input=True),
+    ],
+    ids=lambda found: f"{found.verdict}{' in place' * found.changes_input}",
+)
+def test_numbers_of_a_function_without_a_single_case_accuse_nobody_while_it_calls_one_for_single_cases(drag):
+    for verdict in ("unknown", "right"):
+        found = asked_of_all_balls(Diagnosis("total_force", verdict), drag)
+        assert (found["verdict"], found["mend_first"]) == ("calls a wrong function", ["stokes_drag"])
+    known_mistake = Diagnosis("total_force", "named", (known("total_force").mistakes[0],))
+    assert asked_of_all_balls(known_mistake, drag)["verdict"] == "named"
+
+
+def test_a_function_that_tests_alone_find_wrong_excuses_callers_that_are_right_on_their_probes():
+    drag = Diagnosis("stokes_drag", "right")
+    assert asked_of_all_balls(Diagnosis("total_force", "right"), drag)["verdict"] == "calls a wrong function"
+    assert asked_of_all_balls(Diagnosis("total_force", "unknown"), drag)["verdict"] == "unknown"
+
+
+def test_an_array_of_another_shape_excuses_errors_about_shapes_and_no_others():
+    drag = Diagnosis("stokes_drag", "shape")
+    said = "total_force raised ValueError: operands could not be broadcast together with shapes (0,3) (2,1) (line 9)"
+    assert asked_of_all_balls(Diagnosis("total_force", "crashes"), drag, said)["verdict"] == "calls a wrong function"
+    said = "total_force raised NameError: name 'vizcosity' is not defined (line 9)"
+    assert asked_of_all_balls(Diagnosis("total_force", "crashes"), drag, said)["verdict"] == "crashes"
+
+
 @pytest.mark.parametrize("verdict", ["unwritten", "not tried"])
 def test_what_was_not_written_or_not_tried_is_said_whatever_it_calls(verdict):
     assert entry(Diagnosis("collide", verdict), WRONG)["verdict"] == verdict
