@@ -21,7 +21,7 @@ AROUND = np.array([[x * ACROSS + y] for x in (-1, 0, 1) for y in (-1, 0, 1)])
 """Steps from the number of a column to the nine in and around it."""
 
 
-def candidate_pairs(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None = None) -> Integers:
+def pairs_in_grid(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None = None) -> Integers:
     """All pairs of boxes along the axes that overlap, each once.
 
     This is the broad phase. It does not look at all pairs, so it is fast for many

@@ -103,11 +103,12 @@ def solve_by_sweeps(
     start = finite("start", start)
     f = np.array(np.broadcast_to(start, np.broadcast_shapes(a.shape[:-1], b.shape, start.shape)))
     own = np.diagonal(a, axis1=-2, axis2=-1)
-    divisor = np.where(own > 0, own, 1.0)
+    f *= own > 0
+    divisor = np.where(own > 0, own, np.inf)
     for _ in range(sweeps):
         for i in range(f.shape[-1]):
             gap = np.vecdot(a[..., i, :], f) + b[..., i]
-            f[..., i] = np.where(own[..., i] > 0, np.maximum(0.0, f[..., i] - gap / divisor[..., i]), 0.0)
+            f[..., i] = np.maximum(0.0, f[..., i] - gap / divisor[..., i])
     return f
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from solutions.arrays import Array, Integers
 from solutions.world.bodies import Bodies, State
-from solutions.world.broad_phase import candidate_pairs
+from solutions.world.broad_phase import pairs_in_grid
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import bounding_boxes, place_pieces, placed
 from solutions.world.shapes import Found
@@ -42,7 +42,7 @@ class Contacts(NamedTuple):
         return Contacts(a, b, self.point[order], self.normal[order], self.separation[order], self.key[order])
 
 
-def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Contacts:
+def find_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Contacts:
     """The contacts of a world at an instant: broad phase, then narrow phase.
 
     Parameters
@@ -66,7 +66,7 @@ def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Conta
     pieces = bodies.pieces
     places = place_pieces(pieces, state.position, state.orientation)
     lower, upper = bounding_boxes(pieces, *places)
-    pairs = candidate_pairs(lower - margin / 2, upper + margin / 2, bodies.group[pieces.body])
+    pairs = pairs_in_grid(lower - margin / 2, upper + margin / 2, bodies.group[pieces.body])
     first, second = _can_collide(bodies, pairs)
     found = []
     for kinds, chosen in _alike(pieces.kind, pieces.hull, first, second):

@@ -63,8 +63,8 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     So it points out of A where l_A·d_B is positive, and otherwise out of B. No other
     vertex needs to be looked at: the separation is the distance of both edges along it.
     """
-    starts_a, way_a = _edges(a)
-    starts_b, way_b = _edges(b)
+    starts_a, way_a = _edge_ways(a)
+    starts_b, way_b = _edge_ways(b)
     along_b, along_a = way_a @ b.normal.mT, a.normal @ way_b.mT
     left_b, right_b = (along_b[:, :, side] for side in b.edges.beside.T)
     left_a, right_a = (along_a[:, side] for side in a.edges.beside.T)
@@ -106,7 +106,7 @@ def _best(a: Hull, b: Hull, edges: tuple[Integers, Integers, Integers], separati
     return found
 
 
-def _edges(hull: Hull) -> tuple[Array, Array]:
+def _edge_ways(hull: Hull) -> tuple[Array, Array]:
     """The first ends of all edges, and the ways to the second ones, (n, e, 3), m."""
     starts, ends = (hull.vertices[:, end] for end in hull.edges.ends.T)
     return starts, ends - starts

@@ -8,9 +8,9 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.pieces import bounding_boxes, place_pieces
-from solutions.world.rotation import rotate_by_momentum
+from solutions.world.rotation import turn_freely
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, in_groups, solve_sequentially
@@ -119,7 +119,7 @@ def backed_up(
     allowed = (np.where(resting, -np.inf, np.minimum(near.separation, 0.0)) - TOUCH)[order]
 
     def overlaps(time: Array) -> Booleans:
-        there = collect_contacts(bodies, flown(bodies, state, flight, time[clock]))
+        there = find_contacts(bodies, flown(bodies, state, flight, time[clock]))
         found = np.zeros(len(time), dtype=bool)
         limit = np.full(len(there.key), -TOUCH)
         if len(order):
@@ -143,7 +143,7 @@ def flown(bodies: Bodies, state: State, flight: Flight, time: Array) -> State:
     """The world after a flight; the time (n,) of each body, s."""
     seconds = time[:, None]
     half = seconds / 2 * flight.angular_acceleration
-    orientation, spin = rotate_by_momentum(state.orientation, flight.angular_velocity + half, bodies.moments, time)
+    orientation, spin = turn_freely(state.orientation, flight.angular_velocity + half, bodies.moments, time)
     spin = np.where(seconds > 0, spin + half, flight.angular_velocity)
     middle = flight.velocity + seconds / 2 * flight.acceleration
     velocity = flight.velocity + seconds * flight.acceleration

@@ -6,7 +6,7 @@ import numpy as np
 
 from solutions.arrays import Array
 from solutions.world.bodies import Bodies, State
-from solutions.world.rotation import rotate_by_momentum, turned
+from solutions.world.rotation import turn_freely, turned
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, solve_sequentially
@@ -22,7 +22,7 @@ def moved(bodies: Bodies, state: State, velocity: Array, angular_velocity: Array
     the orientation turns so that the angular momentum stays what it is.
     """
     position = state.position + dt * velocity + push[:, :3]
-    orientation, spin = rotate_by_momentum(state.orientation, angular_velocity, bodies.moments, dt)
+    orientation, spin = turn_freely(state.orientation, angular_velocity, bodies.moments, dt)
     return State(position, turned(orientation, push[:, 3:]) if np.any(push) else orientation, velocity, spin)
 
 

@@ -5,12 +5,13 @@ Each contact is a row of a matrix, and the forces solve a problem made of these 
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, unit, vector
-from solutions.friction.cone import clamp_to_circle
 
 
 def contact_jacobian(
@@ -140,6 +141,8 @@ def sequential_impulses(
     inverse_mass: ArrayLike,
     friction: ArrayLike,
     sweeps: int = 50,
+    start: ArrayLike = 0.0,
+    least: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
     """Velocities and impulses of resting contacts with friction (slide 22).
 
@@ -152,6 +155,10 @@ def sequential_impulses(
     inverse_mass : (d, d), M⁻¹
     friction : (m,) or one number, μ
     sweeps : how often to go through all contacts
+    start : (m, 3), impulses to begin with, such as those of the last step, N s
+    least : (m,) or one number, m/s
+        The least speed along each normal that the impulses have to reach: −gap/Δt
+        lets two surfaces come together that are not in touch yet.
 
     Returns
     -------
@@ -175,18 +182,22 @@ def sequential_impulses(
     """
     v, rows = np.array(finite("velocity", velocity)), np.asarray(jacobian, dtype=float)
     mu = np.broadcast_to(finite("friction", not_negative("friction", friction)), len(rows))
-    impulses = np.zeros((len(rows), 3))
+    impulses = np.array(np.broadcast_to(start, (len(rows), 3)), dtype=float)
+    wanted = np.broadcast_to(finite("least", least), len(rows))
     # The velocities that unit impulses give, (m, 3, d).
     answers = rows @ np.asarray(inverse_mass, dtype=float)
+    v += np.tensordot(impulses, answers, axes=2)
     gained = np.vecdot(answers, rows)
     masses = np.where(gained > 0, 1 / np.where(gained > 0, gained, 1.0), 0.0)
     for _ in range(sweeps):
-        for g, answer, mass, total, limit in zip(rows, answers, masses, impulses, mu, strict=True):
+        for g, answer, mass, total, limit, speed in zip(rows, answers, masses, impulses, mu, wanted, strict=True):
             before = total.copy()
-            total[0] = max(0.0, total[0] - mass[0] * (g[0] @ v))
+            total[0] = max(0.0, total[0] - mass[0] * (g[0] @ v - speed))
             v += (total[0] - before[0]) * answer[0]
             total[1:] -= mass[1:] * (g[1:] @ v)
-            total[1:] = clamp_to_circle([*total[1:], 0.0], limit * total[0])[:2]
+            slip, most = math.hypot(*total[1:]), limit * total[0]
+            if slip > most:  # as clamp_to_circle, which would take most of the time here
+                total[1:] *= most / slip
             v += (total[1:] - before[1:]) @ answer[1:]
     return v, impulses
 

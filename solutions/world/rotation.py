@@ -110,7 +110,7 @@ def orientation_of(rotation: ArrayLike) -> Array:
     return np.asarray(row / np.linalg.norm(row, axis=-1, keepdims=True))
 
 
-def rotate_by_momentum(
+def turn_freely(
     orientation: ArrayLike,
     angular_velocity: ArrayLike,
     moments: ArrayLike,

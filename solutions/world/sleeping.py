@@ -10,7 +10,7 @@ import numpy as np
 
 from solutions.arrays import Booleans
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.rules import Rules
 
 
@@ -51,7 +51,7 @@ def is_awake(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     driven = fast & (bodies.inverse_mass == 0)
     if not np.any(driven):
         return fast
-    return fast | with_neighbours(driven, collect_contacts(bodies, state, rules.margin))
+    return fast | with_neighbours(driven, find_contacts(bodies, state, rules.margin))
 
 
 def with_neighbours(chosen: Booleans, contacts: Contacts) -> Booleans:

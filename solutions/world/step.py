@@ -9,7 +9,7 @@ from solutions.arrays import Array
 from solutions.checks import finite, positive
 from solutions.impulse import world_inverse_inertia
 from solutions.world.bodies import Bodies, State, checked
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.memory import NOTHING, Memory, remembered
 from solutions.world.moving import moved, pushed_apart
 from solutions.world.responses import RESPONSES, Question
@@ -20,7 +20,7 @@ from solutions.world.sleeping import is_awake, is_fast, with_neighbours, with_sl
 from solutions.world.time_order import step_in_time_order
 
 
-def step_world(
+def advance_world(
     bodies: Bodies,
     state: State,
     acceleration: ArrayLike,
@@ -95,7 +95,7 @@ def step_world(
 
 def _grouped_contacts(bodies: Bodies, state: State, rules: Rules) -> tuple[Contacts, list[slice]]:
     """The contacts of a state, in the order of groups that take their turn together."""
-    contacts = collect_contacts(bodies, state, rules.margin)
+    contacts = find_contacts(bodies, state, rules.margin)
     order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
     return contacts.in_order(order), groups
 
@@ -147,7 +147,7 @@ def _step_with_sleepers(
     while True:
         asleep = still >= rules.sleep_after
         lying = with_sleepers(bodies, state, asleep)
-        after, left, contacts = step_world(*lying, acceleration, dt, awake_rules, memory, force, torque)
+        after, left, contacts = advance_world(*lying, acceleration, dt, awake_rules, memory, force, torque)
         woken = with_neighbours(fast, contacts) & asleep
         if not np.any(woken):
             break

@@ -23,7 +23,7 @@ from solutions.impulse import (
     world_inverse_inertia,
 )
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.flights import TOUCH, backed_up, flown, held, reach, until_next
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules
@@ -97,7 +97,7 @@ def step_in_time_order(
         last = look == rules.looks
 
         # What is near, and what of it touches, rests or strikes
-        near = collect_contacts(bodies, state, reach(bodies, state, acceleration, left[clock]))
+        near = find_contacts(bodies, state, reach(bodies, state, acceleration, left[clock]))
         rows = contact_rows(near, state.position, bodies.inverse_mass, _inverse_inertia(bodies, state))
         apart, of = speeds(rows, state.velocity, state.angular_velocity)[:, 0], clock[near.body_a]
         touching = near.separation <= TOUCH
