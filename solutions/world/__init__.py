@@ -9,7 +9,7 @@ from solutions.world.forces import spring_forces
 from solutions.world.mass import in_principal_axes, mass_properties
 from solutions.world.memory import Memory
 from solutions.world.resting import contact_jacobian, inverse_mass_matrix, resting_problem, sequential_impulses
-from solutions.world.rotation import turn_freely
+from solutions.world.rotation import turn_freely, turned
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
 from solutions.world.simple_contacts import candidate_pairs, collect_contacts, manifolds
@@ -62,4 +62,5 @@ __all__ = [
     "spring_forces",
     "step_world",
     "turn_freely",
+    "turned",
 ]

@@ -106,6 +106,11 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike) -> Integers:
         The pairs are in ascending order. Boxes that only touch overlap, too.
         (0, 2) where no two boxes overlap.
 
+    Raises
+    ------
+    ValueError
+        If a lower corner is above an upper one, or is not a number.
+
     Notes
     -----
     Two boxes overlap if their intervals overlap along each of the three axes.
@@ -118,6 +123,8 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike) -> Integers:
     boxes: its time grows like n log n.
     """
     low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
+    if not np.all(low <= high):
+        raise ValueError("lower must not be above upper")
     begins_before_end = np.all(low[:, None] <= high[None], axis=-1)
     return np.argwhere(np.triu(begins_before_end & begins_before_end.T, 1))
 

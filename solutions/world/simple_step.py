@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
 from solutions.world.rotation import turned
-from solutions.world.simple_contacts import SimpleBodies, SimpleContacts, SimpleState, collect_contacts
+from solutions.world.simple_contacts import SimpleBodies, SimpleState, collect_contacts
 from solutions.world.simple_response import kept_impulses, out_of_overlap, respond
 from solutions.world.simple_turning import rotate_by_momentum
 
@@ -21,7 +21,7 @@ def step_world(
     memory: tuple[Integers, Array] | None = None,
     force: ArrayLike = (0.0, 0.0, 0.0),
     torque: ArrayLike = (0.0, 0.0, 0.0),
-) -> tuple[SimpleState, tuple[Integers, Array], SimpleContacts]:
+) -> tuple[Array, Array, Array, Array, Integers, Array]:
     """One step of length dt: forces, contacts, velocities, positions.
 
     Parameters
@@ -31,13 +31,14 @@ def step_world(
     acceleration : (3,), g, of all bodies that can be moved, m/s²
     dt : s
     rules : rest_speed, margin, sweeps, in m/s and m
-    memory : keys (m,) and impulses (m, 3) of the contacts of the last step
+    memory : key (m,) and impulse (m, 3) of the contacts of the last step
     force, torque : (n, 3) or (3,), all others on each body, N and N m
 
     Returns
     -------
-    state, memory : for the next step
-    contacts : those that this step has answered, found where the step begins
+    position, orientation, velocity, angular_velocity : the state at the end
+    key, impulse : (m,) and (m, 3), the memory for the next step
+        What `respond` says of the contacts that were found where the step begins.
 
     Notes
     -----
@@ -60,4 +61,4 @@ def step_world(
     way = out_of_overlap(bodies, (position, orientation, velocity, spin), contacts, dt)
     position = position + dt * velocity + way[:, :3]
     orientation, spin = rotate_by_momentum(turned(orientation, way[:, 3:]), spin, moments, dt)
-    return (position, orientation, velocity, spin), (contacts[-1], impulse), contacts
+    return position, orientation, velocity, spin, contacts[-1], impulse

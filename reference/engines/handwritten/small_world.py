@@ -23,11 +23,15 @@ SWEEPS = 20
 """How often the contacts have a turn in a step, at most: impulses are kept from step to step, so that few will do."""
 BALL, BOX, PLANE = range(3)
 OTHER_SHAPES = "needs a world with other shapes: that of the lab has balls, boxes and planes"
+WRONG_RESULT = (
+    "step_world must return position, orientation, velocity and angular_velocity of {count} bodies, and then the key"
+    " and the impulse of each contact"
+)
 TWO_FRICTIONS = "needs a world with static friction: that of the lab has one coefficient for each pair"
 
 
 Met = tuple[int, tuple[Array, ...]]
-"""The number of a sample, and the contacts that were found in the step that leads to it."""
+"""The number of a sample, and the contacts there."""
 
 
 def run(
@@ -41,14 +45,26 @@ def run(
     loads, memory = LoadsByHand([scenario], implementation), None
     samples, met = [np.concatenate(state, axis=-1)], list[Met]()
     for number in range(1, steps + 1):
+        sampled = number % settings.sample_every == 0
+        if sampled:
+            met += [(len(samples), each) for each in _contacts(bodies, state, rules[1], implementation)]
         pushes = loads.on_bodies((number - 1) * settings.timestep, state)
         result = step_world(bodies, state, np.array(scenario.gravity), settings.timestep, rules, memory, *pushes)
-        state, memory, contacts = _checked(result, len(scenario.bodies))
-        if number % settings.sample_every == 0:
+        state, memory = _checked(result, len(scenario.bodies))
+        if sampled:
             samples.append(np.concatenate(state, axis=-1))
-            if contacts is not None and len(contacts[0]):  # a first version of `step_world` may know of none
-                met.append((len(samples) - 1, tuple(np.asarray(each) for each in contacts)))
     return samples, met
+
+
+def _contacts(
+    bodies: tuple[Array, ...], state: tuple[Array, ...], margin: float, implementation: Implementation
+) -> list[tuple[Array, ...]]:
+    """What touches where a step begins; nothing as long as no function says so."""
+    try:
+        found = implementation.function("collect_contacts")(bodies, state, margin)
+    except NeedsFunction:
+        return []
+    return [tuple(np.asarray(each) for each in found)]
 
 
 def _bodies(scenario: Scenario, implementation: Implementation) -> tuple[Array, ...]:
@@ -86,20 +102,14 @@ def _shape(body: Body) -> tuple[int, Any]:
     raise NeedsFunction(OTHER_SHAPES)
 
 
-def _checked(result: Any, count: int) -> tuple[tuple[Array, ...], Any, Any]:
-    """State, memory and contacts; an error in words if `step_world` returns something else."""
+def _checked(result: Any, count: int) -> tuple[tuple[Array, ...], Any]:
+    """State and memory; an error in words if `step_world` returns something else."""
     try:
-        state, memory, contacts = result
-        position, orientation, velocity, spin = (np.asarray(each, dtype=float) for each in state)
+        *parts, key, impulse = result
+        state = tuple(np.asarray(each, dtype=float) for each in parts)
+        right = [each.shape for each in state] == [(count, width) for width in (3, 4, 3, 3)]
     except (TypeError, ValueError):
-        raise RunFailed(
-            "step_world must return state, memory and contacts, and a state is position, orientation, velocity and"
-            " angular_velocity"
-        ) from None
-    found = position, orientation, velocity, spin
-    for each, width in zip(found, (3, 4, 3, 3), strict=True):
-        if each.shape != (count, width):
-            raise RunFailed(
-                f"step_world returned a state with the shape {each.shape} where it must be {(count, width)}"
-            )
-    return found, memory, contacts
+        right = False
+    if not right:
+        raise RunFailed(WRONG_RESULT.format(count=count))
+    return state, (key, impulse)
