@@ -182,7 +182,7 @@ def make_state(
     )
 
 
-def checked(bodies: Bodies, state: State, *loads: ArrayLike) -> tuple[State, Array, Array, Array]:
+def fitting(bodies: Bodies, state: State, *loads: ArrayLike) -> tuple[State, Array, Array, Array]:
     """Return the state, acceleration, force and torque; refuse what does not fit."""
     count = len(bodies.inverse_mass)
     for name, array in zip(State._fields, state, strict=True):

@@ -8,7 +8,7 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans
 from solutions.world.clipping import ON_SIDE, behind_sides, clip
-from solutions.world.edge_contacts import PARALLEL
+from solutions.world.edge_contacts import EDGES_PARALLEL
 from solutions.world.hull_pairs import BIAS
 from solutions.world.hulls import Hull, hull_of
 from solutions.world.segments import ends_of, nearest_on_segments
@@ -133,7 +133,7 @@ def _way_out(hull: Hull, ends: Array, way: Array) -> Nearest:
     normal = np.where(left > 0, -1.0, 1.0)[..., None] * cross(np.broadcast_to(way[:, None], edges.shape), edges)
     length = np.sqrt(np.vecdot(normal, normal))
     sizes = np.sqrt(np.vecdot(way, way)[:, None] * np.vecdot(edges, edges))
-    real = (left * right < 0) & (length > PARALLEL * sizes)
+    real = (left * right < 0) & (length > EDGES_PARALLEL * sizes)
     normal /= np.where(real, length, 1.0)[..., None]
     distance = np.where(real, np.vecdot(normal, ends[:, :1] - starts), -np.inf)
     best, row = np.argmax(distance, axis=1), np.arange(len(ends))

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans, Integers
 from solutions.checks import finite, not_negative
 
-ROUNDING = 1e-10
+NEGLIGIBLE = 1e-10
 """Share of the largest number below which a number of Lemke's table counts as zero.
 
 Rounding grows in the exchanges.
@@ -190,7 +190,7 @@ def _exchanged(a: Array, b: Array, careful: bool) -> Array:
         if careful:
             table = np.linalg.solve(start[:, basis], start)
         # Either z has left the basis, or it stays there at zero.
-        if not np.any(table[basis == 2 * count, -1] > ROUNDING):
+        if not np.any(table[basis == 2 * count, -1] > NEGLIGIBLE):
             forces = np.zeros(2 * count + 1)
             # Solved again from the start, because the table has gathered rounding.
             forces[basis] = np.linalg.solve(start[:, basis], start[:, -1])
@@ -212,10 +212,10 @@ def _leaving_row(table: Array, entering: int) -> int:
 
     Of several such rows it is the first in the order of the columns of w.
     """
-    rows = _falling_rows(table, entering, ROUNDING)
+    rows = _falling_rows(table, entering, NEGLIGIBLE)
     for column in (-1, *range(len(table))):
         ratios = table[rows, column] / table[rows, entering]
-        rows = rows[ratios <= np.min(ratios) + ROUNDING]
+        rows = rows[ratios <= np.min(ratios) + NEGLIGIBLE]
     return int(rows[0])
 
 
@@ -226,7 +226,7 @@ def _largest_pivot(table: Array, entering: int, is_z: Booleans) -> int:
     """
     rows = _falling_rows(table, entering, LEAST_PIVOT)
     pivots, left = table[rows, entering], np.maximum(table[rows, -1], 0.0)
-    first = left / pivots <= np.min((left + ROUNDING) / pivots)
+    first = left / pivots <= np.min((left + NEGLIGIBLE) / pivots)
     return int(rows[np.argmax(np.where(first, np.where(is_z[rows], np.inf, pivots), 0.0))])
 
 
@@ -242,7 +242,7 @@ def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:
     a, b = np.asarray(matrix, dtype=float), np.asarray(offset, dtype=float)
     if a.ndim < 2 or b.ndim < 1 or a.shape[-2:] != (b.shape[-1], b.shape[-1]):
         raise ValueError(f"matrix must be (..., m, m) for an offset (..., m), not {a.shape} for {b.shape}")
-    least = ROUNDING * np.max(np.abs(finite("matrix", a)), axis=(-2, -1), initial=0.0)[..., None]
+    least = NEGLIGIBLE * np.max(np.abs(finite("matrix", a)), axis=(-2, -1), initial=0.0)[..., None]
     # A diagonal below zero by no more than rounding does no harm.
     not_negative("diagonal of matrix", np.diagonal(a, axis1=-2, axis2=-1) + least)
     return a, finite("offset", b)

@@ -9,12 +9,10 @@ import numpy as np
 from solutions.arrays import Array, Integers
 from solutions.world.bodies import Bodies, State
 from solutions.world.broad_phase import pairs_in_grid
+from solutions.world.hull_pairs import FEATURES
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import bounding_boxes, place_pieces, placed
 from solutions.world.shapes import Found
-
-FEATURES = 1 << 16
-"""Numbers of features of one pair of pieces."""
 
 
 class Contacts(NamedTuple):

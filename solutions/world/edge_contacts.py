@@ -12,7 +12,7 @@ from solutions.world.hulls import Hull
 from solutions.world.segments import nearest_on_segments
 from solutions.world.vectors import cross
 
-PARALLEL = 1e-6
+EDGES_PARALLEL = 1e-6
 """Sine of the angle below which two edges count as parallel.
 
 Rounding would decide about the direction of their cross product.
@@ -74,7 +74,7 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     out = cross(first, second)
     length = np.sqrt(np.vecdot(out, out))
     sizes = np.sqrt(np.vecdot(first, first) * np.vecdot(second, second))
-    real = np.flatnonzero(length > PARALLEL * sizes)
+    real = np.flatnonzero(length > EDGES_PARALLEL * sizes)
     pair, edge_a, edge_b = pair[real], edge_a[real], edge_b[real]
     towards_a = np.where(left_a[pair, edge_a, edge_b] > 0, -1.0, 1.0)
     normal = out[real] * (towards_a / length[real])[:, None]

@@ -15,7 +15,7 @@ ROUNDING = 1e-12
 """An overlap that is deeper than the slop by less than this, m, is no deeper."""
 
 
-def moved(bodies: Bodies, state: State, velocity: Array, angular_velocity: Array, push: Array, dt: float) -> State:
+def moved_on(bodies: Bodies, state: State, velocity: Array, angular_velocity: Array, push: Array, dt: float) -> State:
     """The state after a step with these velocities, and a push (n, 6) beside them.
 
     The position gains Δt v, with the velocity after the impulses (semi-implicit Euler);

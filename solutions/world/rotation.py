@@ -40,7 +40,7 @@ def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
     is exact for an angle of any size. The turn that comes later is the left factor of
     the `quaternion_product`.
     """
-    return _product(_turn(in_space("rotation", rotation)), _quaternion("orientation", orientation))
+    return _product(_turn_of(in_space("rotation", rotation)), _quaternion("orientation", orientation))
 
 
 def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
@@ -200,18 +200,18 @@ def _tumbled(q: Array, w: Array, moments: Array, dt: Array) -> tuple[Array, Arra
 
     def turned_about_own(orientation: Array, share: Array, time: Array) -> Array:
         """Orientation after a part of the energy, (a − a_j) M²/2, has acted alone."""
-        return _product(orientation, _turn(time * share * _in_its_axes(orientation, momentum)))
+        return _product(orientation, _turn_of(time * share * _in_its_axes(orientation, momentum)))
 
     axis_i, axis_j, axis_k = _axes(per_moment, has_moment)
     as_a_ball = np.sum(np.where(axis_j, per_moment, 0.0), axis=-1, keepdims=True)
     second, third = (np.where(axis, per_moment - as_a_ball, 0.0) for axis in (axis_k, axis_i))
     q_after = turned_about_own(q, third, dt / 2)
-    q_after = _product(_turn(as_a_ball * momentum * dt), turned_about_own(q_after, second, dt))
+    q_after = _product(_turn_of(as_a_ball * momentum * dt), turned_about_own(q_after, second, dt))
     q_after = turned_about_own(q_after, third, dt / 2)
     w_after = _in_the_world(q_after, per_moment * _in_its_axes(q_after, momentum))
     if not np.all(has_moment):
         unknown_to_momentum = _in_the_world(q_after, np.where(has_moment, 0.0, own))
-        q_after, w_after = _product(_turn(unknown_to_momentum * dt), q_after), w_after + unknown_to_momentum
+        q_after, w_after = _product(_turn_of(unknown_to_momentum * dt), q_after), w_after + unknown_to_momentum
     return q_after, w_after
 
 
@@ -234,7 +234,7 @@ def _in_its_axes(q: Array, v: Array) -> Array:
     return _in_the_world(q * (1.0, -1.0, -1.0, -1.0), v)
 
 
-def _turn(w: Array) -> Array:
+def _turn_of(w: Array) -> Array:
     """The quaternion of a rotation vector."""
     angle = np.sqrt(np.vecdot(w, w))[..., None]
     return np.concatenate([np.cos(angle / 2), w * np.sinc(angle / (2 * np.pi)) / 2], axis=-1)

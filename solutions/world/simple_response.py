@@ -66,15 +66,15 @@ def out_of_overlap(bodies: SimpleBodies, state: SimpleState, contacts: SimpleCon
     """
     inverse_mass, moments, *_ = bodies
     position, orientation, velocity, spin = state
-    rows = contact_frames(contacts, position)[:, 0]
+    rows = contact_frames(contacts, position)
     motion = np.concatenate([velocity, spin], axis=-1).ravel()
-    ahead = contacts[4] + dt * (rows @ motion) + SLOP
+    ahead = contacts[4] + dt * (rows[:, 0] @ motion) + SLOP
     if not np.any(ahead < 0):
         return np.zeros((len(position), 6))
     share = inverse_mass_matrix(inverse_mass, world_inverse_inertia(moments, orientation))
-    matrix, _ = resting_problem(rows, share, np.zeros_like(motion))
-    push = solve_by_sweeps(matrix, np.where(ahead < 0, RECOVERY * ahead, ahead), PUSHES)
-    return (share @ rows.T @ push).reshape(-1, 6)
+    least = np.where(ahead < 0, -RECOVERY * ahead, -ahead)
+    push, _ = sequential_impulses(np.zeros_like(motion), rows, share, 0.0, PUSHES, least=least)
+    return push.reshape(-1, 6)
 
 
 def respond(

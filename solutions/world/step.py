@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, positive
 from solutions.impulse import world_inverse_inertia
-from solutions.world.bodies import Bodies, State, checked
+from solutions.world.bodies import Bodies, State, fitting
 from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.memory import NOTHING, Memory, remembered
-from solutions.world.moving import moved, pushed_apart
+from solutions.world.moving import moved_on, pushed_apart
 from solutions.world.responses import RESPONSES, Question
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules, known
@@ -55,12 +55,12 @@ def advance_world(
         out of its range, dt is not positive, or an array is not finite or does not fit.
     """
     rules, dt = known(Rules(*rules)), float(finite("dt", positive("dt", dt)))
-    state, acceleration, force, torque = checked(bodies, state, acceleration, force, torque)
+    state, acceleration, force, torque = fitting(bodies, state, acceleration, force, torque)
     if rules.sleep_speed > 0:
         return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
 
     # Forces: they change velocities at once. The gyroscopic term, by which a free body
-    # changes its spin without a torque, acts at the end, in `moved`.
+    # changes its spin without a torque, acts at the end, in `moved_on`.
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     linear = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0) + bodies.inverse_mass[:, None] * force
     angular = np.matvec(inverse_inertia, torque)
@@ -89,7 +89,7 @@ def advance_world(
     push = np.zeros((len(velocity), 6))
     if rules.response != "penalty":
         push = pushed_apart(rows, groups, contacts.separation, velocity, spin, dt, rules)
-    after = moved(bodies, state, velocity, spin, push, dt)
+    after = moved_on(bodies, state, velocity, spin, push, dt)
     return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
 
 
@@ -124,7 +124,7 @@ def _step_to_each_impact(
     inverse_inertia = world_inverse_inertia(bodies.moments, after.orientation)
     rows = contact_rows(contacts, after.position, bodies.inverse_mass, inverse_inertia)
     push = pushed_apart(rows, groups, contacts.separation, after.velocity, after.angular_velocity, 0.0, rules)
-    return moved(bodies, after, after.velocity, after.angular_velocity, push, 0.0), NOTHING, contacts
+    return moved_on(bodies, after, after.velocity, after.angular_velocity, push, 0.0), NOTHING, contacts
 
 
 def _step_with_sleepers(

@@ -179,7 +179,9 @@ def test_a_corner_that_slides_in_time_order_is_braked_against_its_slip():
         [("polyhedron", corners, faces), ("half-space", UP)], [2.0, np.inf], np.full(3, 1 / 6), 0.0, 0.3
     )
     state, dt = make_state([(0, 0, 0.3), (0, 0, 0)], velocity=[(2.0, 1.5, 0), (0, 0, 0)]), 1e-5
-    after, *_ = advance_world(bodies, state, -9.81 * UP, dt, Rules(response="in time order", sweeps=500, tolerance=1e-13))
+    after, *_ = advance_world(
+        bodies, state, -9.81 * UP, dt, Rules(response="in time order", sweeps=500, tolerance=1e-13)
+    )
     force = 2.0 * ((after.velocity[0] - state.velocity[0]) / dt + 9.81 * UP)
     assert force[2] > 1
     # in such a step the slip changes by 1e-4 of itself

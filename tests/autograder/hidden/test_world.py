@@ -57,6 +57,10 @@ def test_each_impact_of_two_in_the_row(submission, part, examples):
         ):  # fmt: skip
             case = plainly(*case)
             expect(submission.propagate_impacts, case, row(*case))
+        for size in (1e-6, 1e6):
+            v, masses = np.array([2.0, 1.0, -1.0]), np.array([2.0, 1.0, 3.0])
+            expect(submission.propagate_impacts, (size * v, masses, 1.0), size * row(v, masses, 1.0))
+            expect(submission.propagate_impacts, (v, size * masses, 1.0), row(v, masses, 1.0))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.propagate_impacts, row, rows, single=(1, 2))
 
@@ -94,7 +98,7 @@ def test_a_free_body_keeps_its_angular_momentum(submission, part, examples):
         brick, held = np.array([1.0, 2.0, 3.0]), np.full(3, INFINITY)
         for spin, moments, dt in (
             (w, np.full(3, 2.0), 0.25), (0 * w, brick, 0.25), (w, held, 0.25), (w, brick, 0.0), (w, brick, -0.5),
-            (500 * w, brick, 0.003), (w, 1e-7 * brick, 0.25), (w, 1e7 * brick, 0.25), (1e-5 * w, brick, 1e4),
+            (500 * w, brick, 0.003), (w, 1e-7 * brick, 0.25), (w, 1e7 * brick, 0.25), (1e-7 * w, brick, 1e6),
             (1e-6 * w, brick, 0.25), (1e5 * w, brick, 1e-6),
         ):  # fmt: skip
             expect(submission.rotate_by_momentum, (q, spin, moments, dt), free_turn(q, spin, moments, dt))
@@ -132,8 +136,13 @@ def test_two_boxes_overlap_if_they_do_along_each_axis(submission, part, examples
         ):  # fmt: skip
             expect(submission.candidate_pairs, (low, high), overlapping(np.array(low, float), np.array(high, float)))
     with part(1, "the smaller number first, in ascending order, arrays left as they were"):
+        low, high = (
+            np.array([[0.0, 0, 0], [7, 7, 7], [7, 8, 7], [1, 1, 1]]),
+            np.array([[2.0, 2, 2], [9, 9, 9], [8, 9, 9], [3, 3, 3]]),
+        )
+        expect(submission.candidate_pairs, (low, high), [[0, 3], [1, 2]])
         low, high = boxes_of_a_heap()
-        for order in ([4, 2, 0, 1, 3], [3, 4, 1, 0, 2]):
+        for order in ([4, 2, 0, 1, 3], [3, 4, 1, 0, 2], [0, 3, 4, 2, 1]):
             expect(submission.candidate_pairs, (low[order], high[order]), overlapping(low[order], high[order]))
             refuse_changes(submission.candidate_pairs)
 
@@ -174,7 +183,7 @@ def round_contacts(bodies, state, margin):
     return tuple(np.array(c, dtype=float).reshape(s) for c, s in zip([*columns, key], shapes, strict=True))
 
 
-@asks("collect_contacts", 6, "Boxes around bodies find the pairs, and the given function where their surfaces touch.")
+@asks("collect_contacts", 7, "Boxes around bodies find the pairs, and the given function where their surfaces touch.")
 def test_contacts_are_found_where_surfaces_are_near(submission, part, examples):
     def balls(draw, size=1.0):
         things = [thing(PLANE, draw.unit(), position=size * draw.vector(1))]
@@ -188,13 +197,22 @@ def test_contacts_are_found_where_surfaces_are_near(submission, part, examples):
     with part(2, "any balls, a box and a plane"):
         examples.agree(submission.collect_contacts, round_contacts, balls, count=6)
     with part(1, "in micrometres and in kilometres"):
-        for size in (1e-6, 1e4):
+        for size in (1e-6, 1e6):
             examples.agree(submission.collect_contacts, round_contacts, lambda draw, size=size: balls(draw, size), 2)
+        far = [thing(BALL, 1e5, 1.0, (-2e5, 0, 0)), thing(BALL, 1e5, 1.0, (1e5, 0, 0))]
+        expect(submission.collect_contacts, (*world(far), 1.5e5), round_contacts(*world(far), 1.5e5))
     with part(2, "a box on the floor, and one that leans: the corners that are near"):
         for q, half, height in (([1, 0, 0, 0], [0.5, 0.25, 0.75], 0.745), ([0.8, 0, 0.6, 0], [0.5, 1, 2], 1.7)):
             for order in (1, -1):
                 things = [FLOOR, thing(BOX, half, 3.0, (1, -1, height), q)][::order]
                 expect(submission.collect_contacts, (*world(things), 0.05), box_on_floor(q, half, height, order))
+    with part(1, "rods that are turned, with a ball at their end"):
+        for q in ([0.5, 0.5, 0.5, 0.5], [0.5, -0.5, -0.5, -0.5], [0.1, 0.5, 0.5, 0.7], [0.2, 0.4, -0.8, 0.4]):
+            way = matrix_of(np.array(q))[:, 0]
+            beside = np.cross(way, [0.1, 0.2, 0.3])
+            place = 2.9 * way + 0.3 * beside / math.sqrt(beside @ beside)
+            given = (*world([thing(BALL, 0.3, 1.0, place - 5), thing(BOX, (3, 0.1, 0.1), 1.0, (-5, -5, -5), q)]), 0.01)
+            expect(submission.collect_contacts, given, round_contacts(*given))
     with part(1, "immovable bodies, those that do not meet, nothing in touch; arrays left as they were"):
         low = thing(BALL, 0.5, 2.0, (3, 1, 0.45))
         for things, meet in (
@@ -239,6 +257,9 @@ def test_a_force_at_one_contact_is_felt_at_the_others(submission, part, examples
         ):
             case = plainly(*case)
             expect(submission.resting_problem, case, problem(*case))
+        g, w, force = np.array([[1.0, 0.5], [0.0, 2.0]]), np.array([[2.0, 0.5], [0.5, 1.0]]), np.array([-4.0, 2.0])
+        for a, b, c in ((1e-6, 1, 1), (1e6, 1, 1), (1, 1e-6, 1), (1, 1e6, 1), (1, 1, 1e-6), (1, 1, 1e6)):
+            expect(submission.resting_problem, (a * g, b * w, c * force), problem(a * g, b * w, c * force))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.resting_problem, problem, bodies)
 
@@ -272,6 +293,10 @@ def test_each_contact_sees_what_the_others_give_now(submission, part, examples):
         ):  # fmt: skip
             case = plainly(*case)
             expect(submission.solve_by_sweeps, case, sweep(*case))
+        a, b, start = np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([-4.0, 1.0]), np.array([3.0, 1.0])
+        for size in (1e-6, 1e6):
+            expect(submission.solve_by_sweeps, (size * a, b, 1, start), sweep(size * a, b, 1, start))
+            expect(submission.solve_by_sweeps, (a, size * b, 1, size * start), sweep(a, size * b, 1, size * start))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.solve_by_sweeps, sweep, problems, single=(2,))
 
@@ -344,7 +369,7 @@ def row_of(speeds, masses, e):
     return (bodies, state, touching, rest, 0.125, 0.1, 20, np.zeros((len(balls) - 1, 3))), way
 
 
-@asks("respond", 8, "First the impacts, pair after pair, until none collides; then what rests is carried.")
+@asks("respond", 10, "First the impacts, pair after pair, until none collides; then what rests is carried.")
 def test_impacts_come_first_and_then_what_rests_is_carried(submission, part, examples):
     def one(draw, size=1.0, speed=1.0):
         a, b = (
@@ -362,9 +387,18 @@ def test_impacts_come_first_and_then_what_rests_is_carried(submission, part, exa
     with part(2, "any two bodies that touch at one place"):
         examples.agree(submission.respond, after_one_contact, one, count=12)
     with part(1, "in millimetres and in kilometres, fast and slow"):
-        for size, speed in ((1e-3, 1.0), (1e3, 1.0), (1.0, 1e-4), (1.0, 1e3), (1e-3, 1e3)):
+        for size, speed in ((1e-3, 1.0), (1e6, 1.0), (1.0, 1e-6), (1.0, 1e3), (1e-3, 1e3)):
             maker = lambda draw, size=size, speed=speed: one(draw, size, speed)  # noqa: E731
             examples.agree(submission.respond, after_one_contact, maker, count=4)
+        for size in (1e-6, 1e6):
+            given, way = row_of([0.05 * size, 0], [1, 1], 1.0)  # too slow to collide
+            rests = [0.025 * size * way] * 2, np.zeros((2, 3)), [[0.025 * size, 0, 0]]
+            expect(submission.respond, (*given[:5], 0.1 * size, *given[6:]), rests)
+            things = [FLOOR, thing(BALL, 0.5, size, (0, 0, 0.5))]
+            bodies, state = world(things)
+            given = (bodies, state, contacts((1, 0, [0, 0, 0], UP, 0.0)), load(bodies), 0.125, 2.5)
+            carried = np.array([[1.25 * size, 0, 0]])
+            expect(submission.respond, (*given, 0, carried), (np.zeros((2, 3)), np.zeros((2, 3)), carried))
     with part(2, "rows of balls: from the left, masses that differ, both ends, some loss"):
         for speeds, masses, e in (
             ([3, 0, 0, 0], [1, 1, 1, 1], 1.0), ([2, 0, 0], [3, 1, 2], 1.0), ([2, 0, -2], [1, 3, 1], 1.0),
@@ -378,6 +412,31 @@ def test_impacts_come_first_and_then_what_rests_is_carried(submission, part, exa
             assert abs(np.dot(masses, found) - np.dot(masses, speeds)) < 1e-4, "the momentum of the row has changed"
             if np.all(np.diff(wanted) >= 0):
                 assert np.allclose(found, wanted, atol=1e-4), f"the row moves with {found}, not with {wanted}"
+    with part(2, "a box strikes at several places: one impulse, in the middle of those that collide; a rough impact"):
+        for velocity, spin, feet in (
+            ([0.5, 0, -4], [0, 0, 0], 4), ([0, 0, -4], [0, 0, 0], 2), ([0, 0, -3], [7, 0, 0], 4),
+            ([0, 1, -3], [0, 5, 0], 4),
+        ):  # fmt: skip
+            places = [(0, 1.5, 0), (2, 1.5, 0), (0, 2.5, 0), (2, 2.5, 0)][:feet]
+            struck = thing(BOX, (1, 0.5, 2), 3.0, (1, 2, 2), velocity=velocity, spin=spin)
+            e = np.array([[1.0, 1.0, 1.0], [1.0, 0.0, 0.25], [1.0, 0.25, 0.0]])
+            bodies, state = world([thing(BALL, 0.5, 1.0, (40, 0, 9)), struck, FLOOR], e)
+            falls = [np.add(velocity, np.cross(spin, np.subtract(p, [1, 2, 2])))[2] for p in places]
+            middle = np.mean([p for p, u in zip(places, falls, strict=True) if u < -1], axis=0)
+            still = np.zeros((3, 6)), 0.125, 1.0, 20
+            one = after_one_contact(bodies, state, contacts((1, 2, middle, UP, 0.0)), *still, np.zeros((1, 3)))
+            found = submission.respond(
+                bodies, state, contacts(*((1, 2, p, UP, 0.0) for p in places)), *still, np.zeros((feet, 3))
+            )
+            assert np.allclose(found[0], one[0], atol=1e-4), f"the box leaves with {found[0][1]}, not with {one[0][1]}"
+            assert np.allclose(found[1], one[1], atol=1e-4), f"the box turns with {found[1][1]}, not with {one[1][1]}"
+        spinning = thing(BALL, 0.5, 2.0, (1, 2, 0.5), velocity=(1, 0, -4), spin=(0, -6, 0))
+        bodies, state = world([FLOOR, spinning], 0.5, 0.125)
+        given = (bodies, state, contacts((1, 0, [1, 2, 0], UP, 0.0)), np.zeros((2, 6)), 0.125, 1.0, 9, np.zeros((1, 3)))
+        # Its lowest point slips at 1 + 3 m/s; the impulse of 12 N s allows a friction of 1.5 N s.
+        v, w, _ = (np.asarray(each, dtype=float) for each in submission.respond(*given))
+        assert np.allclose(v[1], [0.25, 0, 2], atol=1e-4), f"the ball leaves with {v[1]}, not with (0.25, 0, 2)"
+        assert np.allclose(w[1], [0, -2.25, 0], atol=1e-4), f"the ball turns with {w[1]}, not with (0, −2.25, 0)"
     with part(2, "a tower: weight is passed down sweep by sweep, from nothing and from the last step"):
         things = [FLOOR, thing(BALL, 0.5, 1.0, (0, 0, 0.5)), thing(BALL, 1.0, 5.0, (0, 0, 2))]
         bodies, state = world(things)
@@ -419,7 +478,7 @@ def flown(bodies, state, acceleration, dt, rules, memory=None, force=0.0, torque
     return x + dt * v, q, v, w, np.zeros(0), np.zeros((0, 3))
 
 
-@asks("step_world", 8, "Find contacts, let them respond to the loads, move with the new velocities, and turn.")
+@asks("step_world", 10, "Find contacts, let them respond to the loads, move with the new velocities, and turn.")
 def test_a_step_of_the_world(submission, part, examples):
     rules = (0.5, 0.01, 12)
 
@@ -430,7 +489,7 @@ def test_a_step_of_the_world(submission, part, examples):
             for side in ((40, 0, 0), (-40, 0, 0))
         ]  # fmt: skip
         things.append(thing(PLANE, UP, position=(0, 0, -90 * size)))
-        return *world(things), size * draw.vector(9), 0.125, rules
+        return *world(things), size * draw.vector(9), 0.125, (0.5, 0.01 * size, 12)
 
     with part(2, "any flight, and with forces and torques"):
         examples.agree(submission.step_world, flown, flights, count=6)
@@ -439,6 +498,37 @@ def test_a_step_of_the_world(submission, part, examples):
         examples.agree(
             submission.step_world, flown, lambda draw: (*flights(draw), none, *pushes), count=3
         )  # fmt: skip
+        for size in (1e-6, 1e6):
+            maker = lambda draw, size=size: (*flights(draw, size), none, size * pushes[0], size**2 * pushes[1])  # noqa: E731
+            examples.agree(submission.step_world, flown, maker, count=2)
+            ball = thing(BALL, 0.5, 2.0, (1, 2, 3), velocity=np.array([1, -2, 3]) / size)
+            given = (*world([ball]), np.array([2, 1, -3]) / size**2, 0.125 * size, rules)
+            expect(submission.step_world, given, flown(*given))
+            tower = world([FLOOR, thing(BALL, 0.5, size, (0, 0, 0.5))])
+            carried = np.array([2 * 65536]), np.array([[1.25 * size, 0, 0]])
+            given = (*tower, np.array([0, 0, -10.0]), 0.125, (0.5, 0.01, 0), carried)
+            expect(submission.step_world, given, (*tower[1], carried[0].astype(float), carried[1]))
+    with part(
+        1, "as fast as a resting contact, or as near as the margin, or a little less; slow and fast, small and large"
+    ):
+        for size in (4e-5, 1e6):
+            for share, rests in ((0.75, True), (1.25, False)):
+                things = [
+                    FLOOR,
+                    thing(BALL, 0.5 * size, 2.0, np.array([1, 2, 0.5]) * size, velocity=(0, 0, -share * size)),
+                ]
+                given = (*world(things), np.zeros(3), 0.125, (size, size, 9))
+                v = np.asarray(submission.step_world(*given)[2])[1, 2]
+                assert abs(v - (0.0 if rests else 0.5 * share * size)) < 1e-3 * size, (
+                    f"the ball has {v:g} m/s afterwards"
+                )
+                things = [
+                    FLOOR,
+                    thing(BALL, 0.5 * size, 2.0, np.array([1, 2, 0.5 + share]) * size, velocity=(0, 0, -16 * size)),
+                ]
+                given = (*world(things), np.zeros(3), 0.125, (99 * size, size, 9))
+                v = np.asarray(submission.step_world(*given)[2])[1, 2]
+                assert abs(v + (8 * share if rests else 16) * size) < 1e-3 * size, f"the ball has {v:g} m/s afterwards"
     with part(2, "a ball that falls, strikes, rises and comes to rest, step by step; in millimetres, in hectometres"):
         for size in (1.0, 1e-3, 100.0):
             speed, dt = math.sqrt(size), 0.125 * math.sqrt(size)  # as long in units of √(h/g)
@@ -475,6 +565,11 @@ def test_a_step_of_the_world(submission, part, examples):
                 place += 0.015625 * speed
                 assert np.allclose(state[0][1], [place, 2, 2], atol=1e-3), "the box is elsewhere"
                 assert np.allclose(np.sum(impulse, axis=0)[0], 30 * 0.015625, rtol=1e-3), "its weight is not carried"
+    with part(1, "a tower, without a sweep: it is carried by what carried it in the last step"):
+        tower = world([FLOOR, thing(BALL, 0.5, 1.0, (0, 0, 0.5)), thing(BALL, 1.0, 5.0, (0, 0, 2))])
+        key, carried = 65536 * np.array([3, 5]), np.array([[7.5, 0, 0], [6.25, 0, 0]])
+        given = (*tower, np.array([0, 0, -10.0]), 0.125, (0.5, 0.01, 0), (key[::-1], carried[::-1]))
+        expect(submission.step_world, given, (*tower[1], key.astype(float), carried))
     with part(1, "nothing that moves; one body alone, its arrays left as they were"):
         for things in ([FLOOR], [FLOOR, thing(BOX, (1, 1, 1), position=(0, 0, 5), velocity=(1, 2, 3), spin=(1, 0, 2))]):
             given = (*world(things), np.array([0, 0, -10.0]), 0.125, rules)

@@ -1,4 +1,7 @@
-"""Known mistakes of bodies that turn freely, and of boxes that overlap."""
+"""Known mistakes of bodies that turn freely, and of boxes that overlap.
+
+A mistake that finds too many pairs or too few gives a result of another length, which says nothing else of it.
+"""
 
 import numpy as np
 
@@ -69,17 +72,13 @@ def turned_by_the_mean(q, w, moments, dt):
     return turned(q, (np.asarray(w) + new) / 2 * dt), new
 
 
-def pairs(rule, triangle=1, order=lambda found: found):
+def pairs(order):
     def found(low, high):
         low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
-        table = rule(low[:, None], high[:, None], low[None], high[None])
-        return order(np.argwhere(np.triu(table, triangle) if triangle is not None else table))
+        table = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=-1)
+        return order(np.argwhere(np.triu(table, 1)))
 
     return found
-
-
-def overlap(a, b, c, d):
-    return np.all((a <= d) & (c <= b), axis=-1)
 
 
 # fmt: off
@@ -102,9 +101,6 @@ BANK = (
     M("rotate_by_momentum", "twice the angle", with_(turn=lambda q, w, dt: turned(q, 2 * w * dt)),
       "The body turns by twice ω dt.",
       "By which angle does it turn in the time dt?"),
-    M("rotate_by_momentum", "length of q", with_(turn=added),
-      "The quaternion gets longer: q + ½ dt ω q does not have length 1, and it is not the turn by ω dt either.",
-      "How long is the quaternion that you return? Which function turns an orientation?"),
     M("rotate_by_momentum", "added and normalised", with_(turn=lambda q, w, dt: of_length_one(added(q, w, dt))),
       "q + ½ dt ω q with its length mended turns by less than ω dt: by 2 arctan(½ ω dt).",
       "With ω dt = π the body should have made half a turn. How far has yours come?"),
@@ -138,41 +134,14 @@ BANK = (
     M("rotate_by_momentum", "what is held tumbles", with_(found=lambda new, old, held: np.where(held, 0.0, new)),
       "A body with infinite moments loses its spin. It keeps it: something else turns it.",
       "A mill wheel is driven at a given spin. What is that spin after a step?"),
-    M("candidate_pairs", "one axis", pairs(lambda a, b, c, d: ((a <= d) & (c <= b))[..., 0]),
-      "Only the intervals along x are compared.",
-      "Two boxes one above the other: do their intervals along x overlap? Do the boxes?"),
-    M("candidate_pairs", "no third axis", pairs(lambda a, b, c, d: np.all(((a <= d) & (c <= b))[..., :2], axis=-1)),
-      "The intervals along z are not compared.",
-      "A box floats above another one. Do they overlap?"),
-    M("candidate_pairs", "any axis", pairs(lambda a, b, c, d: np.any((a <= d) & (c <= b), axis=-1)),
-      "It is enough for one axis to agree. Two boxes overlap only if they do so along all three.",
-      "Two boxes stand side by side, apart along x. Along which axes do their intervals overlap?"),
-    M("candidate_pairs", "one comparison", pairs(lambda a, b, c, d: np.all(a <= d, axis=-1)),
-      "Only one of the two comparisons is made: that the first box begins before the second one ends.",
-      "The first box is far to the left of the second one. Does it begin before the other ends? Do they overlap?"),
-    M("candidate_pairs", "touching left out", pairs(lambda a, b, c, d: np.all((a < d) & (c < b), axis=-1)),
-      "Boxes that only touch are left out, and with them boxes without a size.",
-      "A box stands exactly on the floor's box. Should the pair be looked at?"),
-    M("candidate_pairs", "a corner inside",
-      pairs(lambda a, b, c, d: np.all((a <= d) & (c <= a), axis=-1) | np.all((b <= d) & (c <= b), axis=-1)),
-      "A box counts only if its lowest or its highest corner is inside the other: two that cross have none.",
-      "A plank lies across a beam. Is a corner of either inside the other?"),
-    M("candidate_pairs", "neighbours alone",
-      pairs(lambda a, b, c, d: overlap(a, b, c, d) & np.eye(len(a), k=1, dtype=bool)),
-      "Each box is compared with the next one of the list alone.",
-      "Do the first and the third box overlap in your example?"),
-    M("candidate_pairs", "the larger first", pairs(overlap, 1, lambda found: found[:, ::-1]),
+    M("candidate_pairs", "the larger first", pairs(lambda found: found[:, ::-1]),
       "The larger number comes first in each pair.",
       "Which of the two numbers should come first?"),
     M("candidate_pairs", "by the second",
-      pairs(overlap, 1, lambda found: found[np.lexsort((found[:, 0], found[:, 1]))]),
+      pairs(lambda found: found[np.lexsort((found[:, 0], found[:, 1]))]),
       "The pairs are sorted by their second number.",
       "Which of (0, 5) and (1, 2) comes first?"),
-    M("candidate_pairs", "centres inside",
-      pairs(lambda a, b, c, d: np.all((c <= (a + b) / 2) & ((a + b) / 2 <= d), axis=-1)),
-      "It asks whether the middle of one box is inside the other.",
-      "Two boxes overlap by a hand's breadth. Is the middle of one inside the other?"),
-    M("candidate_pairs", "numbered from one", pairs(overlap, 1, lambda found: found + 1),
+    M("candidate_pairs", "numbered from one", pairs(lambda found: found + 1),
       "The boxes are numbered from 1.",
       "Which number has the first box?"),
 )

@@ -85,6 +85,9 @@ def test_boxes_overlap_that_do_so_along_every_axis(submission, part):
         pairs(1e-6 * low, 1e-6 * high, (0, 2), (1, 2), (1, 3))
         pairs(1e6 * low + 7, 1e6 * high + 7, (0, 2), (1, 2), (1, 3))
         pairs(low[::-1], high[::-1], (1, 3), (2, 3), (2, 4))
+        pairs(
+            [[0, 0, 0], [7, 7, 7], [7, 8, 7], [1, 1, 1]], [[2, 2, 2], [9, 9, 9], [8, 9, 9], [3, 3, 3]], (0, 3), (1, 2)
+        )
     with part(1, "one inside another, one that crosses, and two that are the same"):
         pairs([[0, 0, 0], [1, 1, 1]], [[4, 4, 4], [2, 2, 2]], (0, 1))
         pairs([[1, 1, 1], [0, 0, 0]], [[2, 2, 2], [4, 4, 4]], (0, 1))
@@ -390,6 +393,7 @@ def test_one_step_of_the_world(submission, part):
         arguments = (*given, list(weight), dt, (0.5, 0.01, sweeps), memory, *more)
         expect(submission.step_world, arguments, outputs)
 
+    ball = world([thing(BALL, 0.5, 2.0, (1, 2, 3))])
     with part(1, "a brick flies and tumbles, with weight, a force and a torque; an immovable one flies on"):
         brick = thing(BOX, (1, 1, 1), 2.0, (1, 2, 5), LEANS, (1, 0.5, -2), (0.5, 2, -1))
         held = thing(BOX, (1, 1, 1), position=(0, 0, -9), orientation=LEANS, velocity=(1, 2, 3), spin=(0.5, 2, -1))
@@ -405,8 +409,7 @@ def test_one_step_of_the_world(submission, part):
         places, speeds = [[3.125, 0, 0], [6.0625, 0, 0], [12.03125, 0, 0]], [[1, 0, 0], [0.5, 0, 0], [0.25, 0, 0]]
         wanted = places, [UNTURNED] * 3, speeds, [REST] * 3, [], []
         step(world(three), wanted, (0, 0, 0), more=([[8, 0, 0]] * 3, REST))
-        # A ball turns about every axis alike: 0.2 kg m².
-        ball = world([thing(BALL, 0.5, 2.0, (1, 2, 3))])
+        # The ball turns about every axis alike: 0.2 kg m².
         twisted = [math.cos(0.0375), 0, -math.sin(0.0375), 0]
         spins = [[1, 2, 3]], [twisted], [REST], [[0, -0.6, 0]], [], []
         step(ball, spins, (0, 0, 0), more=([REST], [[0, -0.96, 0]]))

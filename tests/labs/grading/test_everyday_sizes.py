@@ -18,12 +18,12 @@ from tests_in_process import Asked, collected, run_test
 from labs.grading.judging.case_by_case import CaseByCase
 from reference import lecture
 
-LABS = ("response", "friction", "polyhedra", "sweeping")
+LABS = ("response", "friction", "polyhedra", "sweeping", "world")
 WRITTEN = [entry.name for topic in LABS for entry in lecture.functions_of(topic) if entry.role == "written"]
 TESTS = collected("visible", "hidden")
 OF_ONE_SIZE = {
     "normal", "restitution", "behind", "faces", "faces_a", "faces_b", "steps", "looks", "adhesive", "friction",
-    "static_friction", "kinetic_friction", "steps_per_contact",
+    "static_friction", "kinetic_friction", "steps_per_contact", "sweeps", "most", "orientation",
 }  # fmt: skip
 """Arguments without a unit."""
 SPARED = {("advance", "tolerance", "without the large")}
@@ -50,9 +50,16 @@ def quiet():
         yield
 
 
+def seen(value, change):
+    """An argument as it is seen; of the tuple of a world, all numbers that are not whole."""
+    if isinstance(value, tuple):
+        return tuple(seen(part, change) for part in value)
+    return change(value) if np.asarray(value).dtype.kind == "f" else value
+
+
 def changed(function, place, change):
     """A function that sees one of its arguments changed."""
-    return lambda *given: function(*(change(each) if at == place else each for at, each in enumerate(given)))
+    return lambda *given: function(*(seen(each, change) if at == place else each for at, each in enumerate(given)))
 
 
 def loses(name, function):

@@ -29,17 +29,17 @@ def orientation(draw: Draw) -> Array:
 
 def thing(
     kind: int,
-    size: Sequence[float] | float,
+    size: Any,
     mass: float = INFINITY,
-    position: Sequence[float] = REST,
-    orientation: Sequence[float] = UNTURNED,
-    velocity: Sequence[float] = REST,
-    spin: Sequence[float] = REST,
+    position: Any = REST,
+    orientation: Any = UNTURNED,
+    velocity: Any = REST,
+    spin: Any = REST,
 ) -> tuple[Any, ...]:
     """One body: its inverse mass, its moments, kind and size, and how it starts; without a mass nothing moves it."""
     if kind == BALL:
-        size = (float(size), 0.0, 0.0)  # type: ignore[arg-type]
-    a, b, c = np.square(size)  # type: ignore[misc]
+        size = (float(size), 0.0, 0.0)
+    a, b, c = np.square(size)
     if mass == INFINITY:
         moments = np.full(3, INFINITY)
     elif kind == BALL:
