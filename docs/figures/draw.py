@@ -3,7 +3,8 @@
 Each topic has one or more files `figures_….py` beside this one, each with a table `FIGURES`: (statement, name) → a
 function that draws on a matplotlib `Figure`. Its docstring is the caption. They go into the folder `statements`. The
 figures of the findings about the engines are in `findings.py` and go into the folder `engines`. The labs' own figures
-are in the files `lab_figures….py` and go into `labs/figures`, or into the folder `labs` of another one.
+are in the files `lab_figures….py`, which share `blackboard.py`, and go into `labs/figures`, or into the folder `labs`
+of another one.
 """
 
 from __future__ import annotations

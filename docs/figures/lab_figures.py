@@ -8,16 +8,14 @@ readers who cannot see it. Shape, stroke and label say everything that colour sa
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
+from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, across, arrow, board, dot, plot, rotated, span, unit
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle, Polygon, Rectangle
 from numpy.typing import ArrayLike, NDArray
-
-INK, GREY, LIGHT, BLUE, ORANGE, GREEN = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c04f00", "#00785a"
-Draw = Callable[[Figure], None]
 
 
 def contact(figure: Figure) -> None:
@@ -27,15 +25,15 @@ def contact(figure: Figure) -> None:
     each centre of mass to the point. The impulse J = j n acts on A, and −J on B. The velocity u is that of A's point as
     seen from B's; it points down into B, against n, so the two approach.
     """
-    axes = _board(figure, (-3.6, 3.6), (-2.2, 2.2))
+    axes = board(figure, (-3.6, 3.6), (-2.2, 2.2))
     a = _touching(axes, (1.7, 0.85), 158, "A", (-0.85, 0.25))
     b = _touching(axes, (1.9, 0.8), 342, "B", (0.95, -0.2))
-    _arrow(axes, a, -a, GREY, "$r_A$", at=0.45, beside=(-10, -7), style="--")
-    _arrow(axes, b, -b, GREY, "$r_B$", at=0.45, beside=(10, 7), style="--")
-    _arrow(axes, (0, 0), (0, 1.0), INK, "$n$", beside=(-10, 0))
-    _arrow(axes, (0.16, 0), (0, 1.9), ORANGE, "$J = j\\,n$ on A", beside=(42, 4))
-    _arrow(axes, (-0.16, 0), (0, -1.9), ORANGE, "$-J$ on B", beside=(-34, 0))
-    _arrow(axes, (0, 0), (1.0, -0.3), BLUE, "$u$", beside=(10, 3))
+    arrow(axes, a, -a, GREY, "$r_A$", at=0.45, beside=(-10, -7), style="--")
+    arrow(axes, b, -b, GREY, "$r_B$", at=0.45, beside=(10, 7), style="--")
+    arrow(axes, (0, 0), (0, 1.0), INK, "$n$", beside=(-10, 0))
+    arrow(axes, (0.16, 0), (0, 1.9), ORANGE, "$J = j\\,n$ on A", beside=(42, 4))
+    arrow(axes, (-0.16, 0), (0, -1.9), ORANGE, "$-J$ on B", beside=(-34, 0))
+    arrow(axes, (0, 0), (1.0, -0.3), BLUE, "$u$", beside=(10, 3))
     axes.plot(0, 0, "o", color=INK, markersize=7, zorder=6)
 
 
@@ -46,19 +44,19 @@ def rolling(figure: Figure) -> None:
     arrows: v, the same as that of the centre, and ω × r, at a right angle to the arm, on the side to which the body
     turns. The body turns anticlockwise.
     """
-    axes = _board(figure, (-2.4, 3.2), (-1.5, 2.2))
+    axes = board(figure, (-2.4, 3.2), (-1.5, 2.2))
     centre, arm = np.array([-0.5, 0.0]), np.array([1.35, 0.45])
     v, turning = np.array([1.15, -0.45]), 0.95 * np.array([-0.45, 1.35])
     point = centre + arm
     _blob(axes, centre, (1.55, 1.05), 0.2)
-    _dot(axes, centre)
-    _arrow(axes, centre, arm, GREY, "$r$", at=0.55, beside=(0, 10), style="--")
-    _arrow(axes, centre, v, INK, "$v$", beside=(4, -10))
-    _arrow(axes, point, v, INK, "$v$", beside=(6, -10))
-    _arrow(axes, point + v, turning, BLUE, "$\\omega \\times r$", at=0.5, beside=(24, 2))
-    _arrow(axes, point, v + turning, ORANGE, "$\\dot p$", at=0.6, beside=(-14, 2))
+    dot(axes, centre)
+    arrow(axes, centre, arm, GREY, "$r$", at=0.55, beside=(0, 10), style="--")
+    arrow(axes, centre, v, INK, "$v$", beside=(4, -10))
+    arrow(axes, point, v, INK, "$v$", beside=(6, -10))
+    arrow(axes, point + v, turning, BLUE, "$\\omega \\times r$", at=0.5, beside=(24, 2))
+    arrow(axes, point, v + turning, ORANGE, "$\\dot p$", at=0.6, beside=(-14, 2))
     axes.add_patch(Arc(centre, 0.8, 0.8, theta1=120, theta2=250, color=BLUE, lw=1.6))
-    _arrow(axes, centre + 0.4 * _unit(252), 0.02 * _unit(342), BLUE)
+    arrow(axes, centre + 0.4 * unit(252), 0.02 * unit(342), BLUE)
     axes.annotate("$\\omega$", centre, (-27, 0), textcoords="offset points", color=BLUE, ha="center", va="center")
     axes.plot(*point, "o", color=INK, markersize=6, zorder=6)
 
@@ -70,16 +68,16 @@ def edges(figure: Figure) -> None:
     right angle to both. It is as long as the area of the parallelogram of a and b, and it may point up or down,
     depending on which end of an edge is listed first. The normal n has unit length and points towards A's centre.
     """
-    axes = _board(figure, (-2.9, 3.3), (-1.25, 2.35))
+    axes = board(figure, (-2.9, 3.3), (-1.25, 2.35))
     a, b, up = np.array([2.0, 0.5]), np.array([1.5, -0.75]), np.array([0.0, 1.0])
     area = np.array([-(a + b) / 2, (a - b) / 2, (a + b) / 2, (b - a) / 2])
     axes.add_patch(Polygon(area, fc=LIGHT, ec=GREY, ls=":"))
     axes.annotate("area = $|a \\times b|$", (0.75, -0.72), color=GREY, ha="center", va="center", fontsize=9)
-    _arrow(axes, -a, 2 * a, INK, "$a$, edge of A", beside=(12, 10))
-    _arrow(axes, b, -2 * b, BLUE, "$b$, edge of B", beside=(-16, 10))
-    _arrow(axes, (0.05, 0), 2.1 * up, GREY, "$a \\times b$, or the opposite", beside=(66, 0), style="--")
-    _arrow(axes, (-0.03, 0), 1.2 * up, ORANGE, "$n$", at=0.8, beside=(-12, 0))
-    _dot(axes, (-1.2, 1.9))
+    arrow(axes, -a, 2 * a, INK, "$a$, edge of A", beside=(12, 10))
+    arrow(axes, b, -2 * b, BLUE, "$b$, edge of B", beside=(-16, 10))
+    arrow(axes, (0.05, 0), 2.1 * up, GREY, "$a \\times b$, or the opposite", beside=(66, 0), style="--")
+    arrow(axes, (-0.03, 0), 1.2 * up, ORANGE, "$n$", at=0.8, beside=(-12, 0))
+    dot(axes, (-1.2, 1.9))
     axes.annotate("centre of A", (-1.2, 1.9), (-6, 0), textcoords="offset points", ha="right", va="center")
     axes.plot(0, 0, "o", color=INK, markersize=6, zorder=6)
 
@@ -92,25 +90,25 @@ def turned(figure: Figure) -> None:
     divided by the moments, which keeps only what is across the rod. On the right the result is turned by R into the
     world again.
     """
-    axes = _board(figure, (-4.6, 4.6), (-1.55, 1.6))
+    axes = board(figure, (-4.6, 4.6), (-1.55, 1.6))
     lean, torque = 32.0, np.array([0.55, 1.0])
-    for x, angle, arrow, name in (
+    for x, angle, shown, name in (
         (-3.2, lean, torque, "in the world"),
-        (0.0, 90.0, _rotated(torque, 90 - lean), "in its own axes"),
-        (3.2, lean, _across(torque, lean), "in the world"),
+        (0.0, 90.0, rotated(torque, 90 - lean), "in its own axes"),
+        (3.2, lean, across(torque, lean), "in the world"),
     ):
-        centre, along = np.array([x, 0.0]), 1.15 * _unit(angle)
+        centre, along = np.array([x, 0.0]), 1.15 * unit(angle)
         axes.plot(*zip(centre - along, centre + along, strict=True), color=LIGHT, lw=13, solid_capstyle="round")
         axes.plot(*zip(centre - along, centre + along, strict=True), color=GREY, lw=1, ls=":")
-        _arrow(axes, centre, arrow, BLUE if x <= 0 else ORANGE)
+        arrow(axes, centre, shown, BLUE if x <= 0 else ORANGE)
         axes.annotate(name, (x, -1.45), ha="center", fontsize=9, color=GREY)
     axes.annotate("$\\tau$", (-2.75, 1.1), color=BLUE)
     axes.annotate("$R^T\\tau$", (-0.95, 1.12), color=BLUE, ha="center")
-    own = _across(_rotated(torque, 90 - lean), 90)
-    _arrow(axes, (0, 0), own, ORANGE, "divided by\nthe moments", beside=(-6, -20), size=9)
+    own = across(rotated(torque, 90 - lean), 90)
+    arrow(axes, (0, 0), own, ORANGE, "divided by\nthe moments", beside=(-6, -20), size=9)
     axes.annotate("$I^{-1}\\tau$", (2.62, 0.95), color=ORANGE, ha="center")
     for start, text in ((-1.75, "$R^T$"), (1.35, "$R$")):
-        _arrow(axes, (start, 0.0), (0.55, 0.0), INK, text, at=0.5, beside=(0, 11))
+        arrow(axes, (start, 0.0), (0.55, 0.0), INK, text, at=0.5, beside=(0, 11))
 
 
 def peg(figure: Figure) -> None:
@@ -120,15 +118,15 @@ def peg(figure: Figure) -> None:
     centre. The impulse J acts upwards on the rod at the peg. Afterwards the point on the peg goes up with e v, and the
     rod turns.
     """
-    axes = _board(figure, (-3.0, 3.0), (-1.35, 1.35))
+    axes = board(figure, (-3.0, 3.0), (-1.35, 1.35))
     axes.add_patch(Rectangle((-2.2, 0), 4.4, 0.16, fc=LIGHT, ec=INK))
     axes.add_patch(Polygon([(1.7, 0), (1.5, -0.75), (1.9, -0.75)], fc=GREY, ec=INK))
     axes.plot([0.9, 2.5], [-0.75, -0.75], color=INK, lw=1.5)
-    _dot(axes, (0, 0.08))
-    _arrow(axes, (0, 0.08), (0, -0.95), INK, "$v$", beside=(10, 2))
-    _arrow(axes, (-1.5, 0.08), (0, -0.95), INK, "$v$", beside=(10, 2))
-    _arrow(axes, (1.7, 0.0), (0, 1.15), ORANGE, "$J$", beside=(11, 0))
-    _span(axes, (0, 0.42), (1.7, 0.42), "$x$")
+    dot(axes, (0, 0.08))
+    arrow(axes, (0, 0.08), (0, -0.95), INK, "$v$", beside=(10, 2))
+    arrow(axes, (-1.5, 0.08), (0, -0.95), INK, "$v$", beside=(10, 2))
+    arrow(axes, (1.7, 0.0), (0, 1.15), ORANGE, "$J$", beside=(11, 0))
+    span(axes, (0, 0.42), (1.7, 0.42), "$x$")
 
 
 def signs(figure: Figure) -> None:
@@ -138,23 +136,23 @@ def signs(figure: Figure) -> None:
     down on the lower bar B, at the end of its arm r_B. Curved arrows show that A turns with r_A × J and B with
     r_B × (−J).
     """
-    axes = _board(figure, (-3.2, 3.2), (-1.95, 1.95))
+    axes = board(figure, (-3.2, 3.2), (-1.95, 1.95))
     a, b = np.array([-1.3, 0.55]), np.array([1.3, -0.55])
     for centre, name, place in ((a, "A", (-1.0, 0.0)), (b, "B", (1.0, 0.0))):
         axes.add_patch(Rectangle(centre - (1.55, 0.22), 3.1, 0.44, fc=LIGHT, ec=INK))
         axes.annotate(name, centre + place, ha="center", va="center", weight="bold")
-        _dot(axes, centre)
-    _arrow(axes, a, (1.3, -0.3), GREY, "$r_A$", at=0.4, beside=(0, 11), style="--")
-    _arrow(axes, b, (-1.3, 0.3), GREY, "$r_B$", at=0.4, beside=(0, -12), style="--")
-    _arrow(axes, (0.0, 0.28), (0, 1.3), ORANGE, "$J$", beside=(11, 0))
-    _arrow(axes, (0.0, -0.28), (0, -1.3), ORANGE, "$-J$", beside=(-14, 0))
+        dot(axes, centre)
+    arrow(axes, a, (1.3, -0.3), GREY, "$r_A$", at=0.4, beside=(0, 11), style="--")
+    arrow(axes, b, (-1.3, 0.3), GREY, "$r_B$", at=0.4, beside=(0, -12), style="--")
+    arrow(axes, (0.0, 0.28), (0, 1.3), ORANGE, "$J$", beside=(11, 0))
+    arrow(axes, (0.0, -0.28), (0, -1.3), ORANGE, "$-J$", beside=(-14, 0))
     for centre, first, text, place in (
         (a, 120, "$r_A \\times J$", (-0.1, 1.05)),
         (b, 300, "$r_B \\times (-J)$", (0.2, -1.2)),
     ):
         axes.add_patch(Arc(centre, 1.3, 1.3, theta1=first - 60, theta2=first + 45, color=BLUE, lw=1.8))
-        end = centre + 0.65 * _unit(first + 46)
-        _arrow(axes, end, 0.02 * _unit(first + 136), BLUE)
+        end = centre + 0.65 * unit(first + 46)
+        arrow(axes, end, 0.02 * unit(first + 136), BLUE)
         axes.annotate(text, centre + place, color=BLUE, ha="center", va="center")
     axes.plot([0, 0], [0.28, -0.28], ":", color=INK)
 
@@ -165,18 +163,18 @@ def plane(figure: Figure) -> None:
     A slanted plane with its normal vector (a, b, c), which has any length. A point p lies in front of the plane. The
     way from p straight back to the plane has the length s and runs against the unit normal.
     """
-    axes = _board(figure, (-2.9, 3.1), (-1.3, 2.45))
-    along, normal = _unit(-14), _unit(76)
+    axes = board(figure, (-2.9, 3.1), (-1.3, 2.45))
+    along, normal = unit(-14), unit(76)
     axes.plot(*zip(-2.5 * along, 2.7 * along, strict=True), color=INK, lw=2)
     axes.add_patch(Polygon([-2.5 * along, 2.7 * along, 2.7 * along - 0.22 * normal, -2.5 * along - 0.22 * normal],
                            fc=LIGHT, ec="none"))  # fmt: skip
     foot = 1.1 * along
     p = foot + 1.45 * normal
-    _arrow(axes, p, -1.45 * normal, ORANGE, "$s$", at=0.5, beside=(10, 2))
+    arrow(axes, p, -1.45 * normal, ORANGE, "$s$", at=0.5, beside=(10, 2))
     axes.plot(*p, "o", color=INK, markersize=7)
     axes.annotate("$p$", p, (9, 6), textcoords="offset points")
-    _arrow(axes, -1.3 * along, 2.0 * normal, BLUE, "$(a, b, c)$, of any length", beside=(66, -2))
-    _arrow(axes, -1.45 * along, 1.0 * normal, INK, "unit normal", at=0.8, beside=(-36, 0))
+    arrow(axes, -1.3 * along, 2.0 * normal, BLUE, "$(a, b, c)$, of any length", beside=(66, -2))
+    arrow(axes, -1.45 * along, 1.0 * normal, INK, "unit normal", at=0.8, beside=(-36, 0))
     axes.annotate("in front", 2.2 * along + 0.45 * normal, ha="center", color=GREY)
     axes.annotate("behind", 2.2 * along - 0.6 * normal, ha="center", color=GREY)
 
@@ -188,7 +186,7 @@ def step(figure: Figure) -> None:
     at the ball at the dots only. It finds the ball a depth δ below the floor at the end of a step, gives it its new
     velocity there, and the ball rises from too deep. In one step the ball moves v Δt, so δ is anything up to that.
     """
-    axes = _plot(figure, "time", "height of the ball's lowest point")
+    axes = plot(figure, "time", "height of the ball's lowest point")
     dt, v, e = 1.0, 1.0, 0.55
     times = np.array([-2, -1, 0, 1, 2, 3]) * dt
     depth = 0.62
@@ -198,8 +196,8 @@ def step(figure: Figure) -> None:
     axes.plot(times, found, "o-", color=BLUE, lw=1.6)
     axes.axhline(0, color=INK, lw=1.5)
     axes.axhspan(-1.15, 0, color=LIGHT, zorder=0)
-    _span(axes, (0.18, 0), (0.18, -depth), "$\\delta$", vertical=True)
-    _span(axes, (-1, -0.92), (0, -0.92), "$\\Delta t$", below=True)
+    span(axes, (0.18, 0), (0.18, -depth), "$\\delta$", vertical=True)
+    span(axes, (-1, -0.92), (0, -0.92), "$\\Delta t$", below=True)
     axes.annotate("true path", (1.8, e * (1.8 - hit)), (-12, 9), textcoords="offset points", color=GREY, ha="right")
     axes.annotate("computed", (2.5, 2.5 * e * v - depth), (-4, -15), textcoords="offset points", color=BLUE)
     axes.annotate(
@@ -214,7 +212,7 @@ def chord(figure: Figure) -> None:
     Separation over one step. It begins at s0, above zero, and ends at s1, below zero. The slide joins the two with a
     straight chord, which crosses zero at T. The true path between the same two points is a parabola.
     """
-    axes = _plot(figure, "time within the step", "separation")
+    axes = plot(figure, "time within the step", "separation")
     time = np.linspace(0, 1, 100)
     path = 0.75 - 0.25 * time - 1.0 * time**2
     axes.axhline(0, color=INK, lw=1.5)
@@ -222,13 +220,13 @@ def chord(figure: Figure) -> None:
     axes.plot(time, path, color=GREY, lw=2)
     axes.plot([0, 1], path[[0, -1]], "o--", color=BLUE)
     cross = path[0] / (path[0] - path[-1])
-    _span(axes, (-0.045, 0), (-0.045, path[0]), "$s_0$", vertical=True)
-    _span(axes, (1.045, 0), (1.045, path[-1]), "$s_1 < 0$", vertical=True)
+    span(axes, (-0.045, 0), (-0.045, path[0]), "$s_0$", vertical=True)
+    span(axes, (1.045, 0), (1.045, path[-1]), "$s_1 < 0$", vertical=True)
     axes.plot([cross], [0], "D", color=ORANGE, zorder=5)
     axes.annotate("T of the slide", (cross, 0), (-6, -17), textcoords="offset points", color=ORANGE, ha="right")
     axes.annotate("true path", (0.45, 0.47), (8, 4), textcoords="offset points", color=GREY)
     axes.annotate("chord", (0.28, 0.38), (-10, -14), textcoords="offset points", color=BLUE, ha="right")
-    _span(axes, (0, -0.62), (1, -0.62), "$\\Delta t$")
+    span(axes, (0, -0.62), (1, -0.62), "$\\Delta t$")
     axes.set(xlim=(-0.22, 1.3), ylim=(-0.75, 0.95))
 
 
@@ -239,12 +237,12 @@ def puck(figure: Figure) -> None:
     replaced by a mirror image of the room: the puck goes straight on through a row of rooms. Each wall that the
     straight way crosses is one impact.
     """
-    axes = _board(figure, (-0.35, 5.1), (-1.0, 1.55))
+    axes = board(figure, (-0.35, 5.1), (-1.0, 1.55))
     for wall in range(5):
         axes.plot(
             [wall, wall], [0.55, 1.25], color=INK, lw=2 if wall in (0, 1) else 1, ls="-" if wall in (0, 1) else ":"
         )
-    _arrow(axes, (0.35, 0.9), (3.3, 0), BLUE)
+    arrow(axes, (0.35, 0.9), (3.3, 0), BLUE)
     axes.annotate("the way, unfolded: three walls", (1.2, 0.36), color=BLUE, fontsize=9, va="center")
     axes.plot(0.35, 0.9, "o", color=BLUE, markersize=9)
     for wall in (1, 2, 3):
@@ -256,11 +254,11 @@ def puck(figure: Figure) -> None:
     for start, end in itertools.pairwise(way):
         last = end == way[-1]
         if last:
-            _arrow(axes, start, np.subtract(end, start), BLUE)
+            arrow(axes, start, np.subtract(end, start), BLUE)
         else:
             axes.plot(*zip(start, end, strict=True), color=BLUE, lw=1.6)
     axes.plot(0.35, 0.0, "o", color=BLUE, markersize=9)
-    _span(axes, (0, 0.36), (1, 0.36), "$L$")
+    span(axes, (0, 0.36), (1, 0.36), "$L$")
     axes.annotate("the way in the room: three impacts", (1.2, -0.36), color=GREY, fontsize=9, va="center")
 
 
@@ -271,63 +269,26 @@ def wall(figure: Figure) -> None:
     back face: its centre travels w + 2r in between. In one step the centre moves v Δt, which is longer, so the ball can
     be before the wall at one look and behind it at the next.
     """
-    axes = _board(figure, (-3.6, 3.6), (-1.5, 1.45))
+    axes = board(figure, (-3.6, 3.6), (-1.5, 1.45))
     axes.add_patch(Rectangle((-0.3, -0.72), 0.6, 1.5, fc=GREY, ec=INK, alpha=0.6))
     for x in (-0.75, 0.75):
         axes.add_patch(Circle((x, 0), 0.45, fc=LIGHT, ec=INK))
-        _dot(axes, (x, 0))
+        dot(axes, (x, 0))
     for x in (-2.1, 2.3):
         axes.add_patch(Circle((x, 0), 0.45, fill=False, ec=BLUE, ls="--", lw=1.6))
         axes.plot(x, 0, "s", color=BLUE, markersize=6)
-    _span(axes, (-0.75, 0.98), (0.75, 0.98), "$w + 2r$: overlap")
-    _span(axes, (-2.1, -1.0), (2.3, -1.0), "$v\\,\\Delta t$: from one look to the next", below=True)
+    span(axes, (-0.75, 0.98), (0.75, 0.98), "$w + 2r$: overlap")
+    span(axes, (-2.1, -1.0), (2.3, -1.0), "$v\\,\\Delta t$: from one look to the next", below=True)
     axes.annotate("wall", (0, -0.83), ha="center", va="top", fontsize=9, color=GREY)
     axes.annotate("look", (-2.1, 0.55), ha="center", color=BLUE, fontsize=9)
     axes.annotate("next look", (2.3, 0.55), ha="center", color=BLUE, fontsize=9)
-    _arrow(axes, (-3.5, 0), (0.8, 0), INK, "$v$", at=0.5, beside=(0, 9))
+    arrow(axes, (-3.5, 0), (0.8, 0), INK, "$v$", at=0.5, beside=(0, 9))
 
 
 LAB_FIGURES: dict[str, Draw] = {
     draw.__name__: draw for draw in (contact, rolling, edges, turned, peg, signs, plane, step, chord, puck, wall)
 }
 """The figures by name."""
-
-
-def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Axes:
-    """Axes without ticks, of equal scale."""
-    axes = figure.add_subplot()
-    axes.set(xlim=x, ylim=y, aspect="equal")
-    axes.set_axis_off()
-    return axes
-
-
-def _plot(figure: Figure, x: str, y: str) -> Axes:
-    """Axes with names and no numbers."""
-    axes = figure.add_subplot()
-    axes.set(xlabel=x, ylabel=y, xticks=[], yticks=[])
-    axes.spines[["top", "right"]].set_visible(False)
-    return axes
-
-
-def _unit(degrees: float) -> NDArray[np.float64]:
-    return np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
-
-
-def _rotated(vector: ArrayLike, degrees: float) -> NDArray[np.float64]:
-    along, across = _unit(degrees), _unit(degrees + 90)
-    x, y = np.asarray(vector)
-    return np.asarray(x * along + y * across)
-
-
-def _across(vector: ArrayLike, degrees: float) -> NDArray[np.float64]:
-    """The part of a vector that is across a direction."""
-    along = _unit(degrees)
-    return np.asarray(vector) - np.dot(vector, along) * along
-
-
-def _dot(axes: Axes, place: ArrayLike) -> None:
-    """A centre of mass."""
-    axes.plot(*np.asarray(place), "o", mfc="white", mec=INK, markersize=7, zorder=5)
 
 
 def _blob(axes: Axes, centre: ArrayLike, radii: Sequence[float], dent: float) -> None:
@@ -344,56 +305,11 @@ def _touching(axes: Axes, radii: Sequence[float], degrees: float, name: str, pla
     Returns its centre.
     """
     angle = np.linspace(0, 2 * np.pi, 721)
-    along, across = _unit(degrees % 180), _unit(degrees % 180 + 90)
-    outline = radii[0] * np.outer(np.cos(angle), along) + radii[1] * np.outer(np.sin(angle), across)
+    along, sideways = unit(degrees % 180), unit(degrees % 180 + 90)
+    outline = radii[0] * np.outer(np.cos(angle), along) + radii[1] * np.outer(np.sin(angle), sideways)
     height = outline[:, 1] if degrees < 180 else -outline[:, 1]
     centre = -outline[np.argmin(height)]
     axes.add_patch(Polygon(centre + outline, fc=LIGHT, ec=INK, lw=1.4))
     axes.annotate(name, centre + place, ha="center", va="center", weight="bold", size=13)
-    _dot(axes, centre)
+    dot(axes, centre)
     return np.asarray(centre)
-
-
-def _arrow(
-    axes: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    text: str = "",
-    at: float = 1.0,
-    beside: tuple[float, float] = (0, 0),
-    style: str = "-",
-    size: float = 11,
-) -> None:
-    """An arrow, and its name beside a place on it."""
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    looks = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "linestyle": style, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", start + along, start, arrowprops=looks, zorder=4)
-    if text:
-        axes.annotate(
-            text,
-            start + at * along,
-            beside,
-            textcoords="offset points",
-            color=colour,
-            ha="center",
-            va="center",
-            size=size,
-        )
-
-
-def _span(
-    axes: Axes,
-    start: tuple[float, float],
-    end: tuple[float, float],
-    text: str,
-    vertical: bool = False,
-    below: bool = False,
-) -> None:
-    """A length between two points, with its name."""
-    looks = {"arrowstyle": "<->", "color": GREY, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", end, start, arrowprops=looks)
-    middle = np.add(start, end) / 2
-    offset = (9, 0) if vertical else (0, -10 if below else 9)
-    side = "left" if vertical else "center"
-    axes.annotate(text, middle, offset, textcoords="offset points", ha=side, va="center", color=INK)

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from matplotlib.axes import Axes
+from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board, floor
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle, Polygon, Rectangle
-from numpy.typing import ArrayLike
-
-INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c04f00"
 
 
 def crate(figure: Figure) -> None:
@@ -20,18 +15,18 @@ def crate(figure: Figure) -> None:
     the horizontal. The floor answers with the normal force N, which points up, and with friction along the floor,
     against the push.
     """
-    axes = _board(figure, (-3.2, 3.2), (-1.45, 2.1))
-    _floor(axes, -3.0, 3.0, -0.6)
+    axes = board(figure, (-3.2, 3.2), (-1.45, 2.1))
+    floor(axes, -3.0, 3.0, -0.6)
     axes.add_patch(Rectangle((-0.8, -0.6), 1.6, 1.2, fc=LIGHT, ec=INK))
     axes.plot([-2.3, -0.8], [0.6, 0.6], ":", color=GREY)
     tip, angle = np.array([-0.8, 0.6]), np.radians(50)
     push = 1.35 * np.array([np.cos(angle), -np.sin(angle)])
-    _arrow(axes, tip - push, push, BLUE, "$F$", at=0.0, beside=(-9, 3))
+    arrow(axes, tip - push, push, BLUE, "$F$", at=0.0, beside=(-9, 3))
     axes.add_patch(Arc((tip[0], tip[1]), 1.1, 1.1, theta1=130, theta2=180, color=GREY))
     axes.annotate("$a$", (-1.5, 0.8), color=GREY, ha="center", va="center")
-    _arrow(axes, (0.1, 0.0), (0, -0.95), INK, "$m g$", beside=(16, 2))
-    _arrow(axes, (-0.2, -0.6), (0, 2.2), ORANGE, "$N$", beside=(11, -2))
-    _arrow(axes, (0.8, -0.52), (-1.0, 0), ORANGE, "friction", at=0.0, beside=(28, 4))
+    arrow(axes, (0.1, 0.0), (0, -0.95), INK, "$m g$", beside=(16, 2))
+    arrow(axes, (-0.2, -0.6), (0, 2.2), ORANGE, "$N$", beside=(11, -2))
+    arrow(axes, (0.8, -0.52), (-1.0, 0), ORANGE, "friction", at=0.0, beside=(28, 4))
 
 
 def limit(figure: Figure) -> None:
@@ -79,8 +74,8 @@ def cones(figure: Figure) -> None:
         axes.add_patch(shape)
         axes.plot([-1.3, 1.3], [0, 0], ":", color=GREY, lw=1)
         axes.plot([0, 0], [-1.3, 1.3], ":", color=GREY, lw=1)
-        _arrow(axes, (0, 0), 1.45 * v, BLUE, "$v$", beside=(6, 5))
-        _arrow(axes, (0, 0), friction, ORANGE, "$F_k$", at=0.55, beside=(9, -9) if friction[1] else (0, 9))
+        arrow(axes, (0, 0), 1.45 * v, BLUE, "$v$", beside=(6, 5))
+        arrow(axes, (0, 0), friction, ORANGE, "$F_k$", at=0.55, beside=(9, -9) if friction[1] else (0, 9))
         axes.annotate(name, (0, -1.5), ha="center", color=INK)
 
 
@@ -91,16 +86,16 @@ def bowling(figure: Figure) -> None:
     Its lowest point slips over the floor to the right with u. Friction acts there, to the left, at an arm r below the
     centre.
     """
-    axes = _board(figure, (-2.6, 3.2), (-1.55, 1.5))
-    _floor(axes, -2.4, 2.9, -1.0)
+    axes = board(figure, (-2.6, 3.2), (-1.55, 1.5))
+    floor(axes, -2.4, 2.9, -1.0)
     axes.add_patch(Circle((0, 0), 1.0, fc=LIGHT, ec=INK))
     axes.plot(0, 0, "o", mfc="white", mec=INK, markersize=7, zorder=5)
-    _arrow(axes, (0, 0), (2.0, 0), INK, "$v$", beside=(9, 0))
-    _arrow(axes, (0, 0), (0, -1.0), GREY, "$r$", at=0.5, beside=(9, 0), style="--")
-    _arrow(axes, (0, -1.0), (1.3, 0), BLUE, "$u$", beside=(8, 6))
-    _arrow(axes, (0, -1.0), (-1.5, 0), ORANGE, "friction", at=0.75, beside=(0, 11))
+    arrow(axes, (0, 0), (2.0, 0), INK, "$v$", beside=(9, 0))
+    arrow(axes, (0, 0), (0, -1.0), GREY, "$r$", at=0.5, beside=(9, 0), style="--")
+    arrow(axes, (0, -1.0), (1.3, 0), BLUE, "$u$", beside=(8, 6))
+    arrow(axes, (0, -1.0), (-1.5, 0), ORANGE, "friction", at=0.75, beside=(0, 11))
     axes.add_patch(Arc((0, 0), 1.3, 1.3, theta1=60, theta2=150, color=GREY, lw=1.6))
-    _arrow(axes, (0.33, 0.56), (0.03, -0.018), GREY)
+    arrow(axes, (0.33, 0.56), (0.03, -0.018), GREY)
     axes.annotate("$\\omega$", (-0.12, 0.8), color=GREY, ha="center", va="center")
 
 
@@ -111,56 +106,21 @@ def leaving(figure: Figure) -> None:
     along R t, a straight line, and leaves the circle at one point ahead. The same line met the circle in the past on
     its other side.
     """
-    axes = _board(figure, (-2.6, 2.6), (-1.75, 1.75))
+    axes = board(figure, (-2.6, 2.6), (-1.75, 1.75))
     axes.add_patch(Circle((0, 0), 1.5, fc=LIGHT, ec=INK))
     push, rate = np.array([-0.1, -0.75]), np.array([0.75, 0.66])
     along, across = push @ rate, rate @ rate
     root = np.sqrt(along**2 + across * (1.5**2 - push @ push))
     out, past = push + rate * (root - along) / across, push - rate * (root + along) / across
     axes.plot(*np.transpose([past, push]), ":", color=GREY)
-    _arrow(axes, (0, 0), push, BLUE, "$P$", at=0.55, beside=(-10, 0))
-    _arrow(axes, push, out - push, ORANGE, "$R\\,t$", at=0.5, beside=(12, -8))
+    arrow(axes, (0, 0), push, BLUE, "$P$", at=0.55, beside=(-10, 0))
+    arrow(axes, push, out - push, ORANGE, "$R\\,t$", at=0.5, beside=(12, -8))
     axes.plot(*out, "D", color=ORANGE, zorder=6)
     axes.annotate("breaks away", (out[0] + 0.1, out[1] + 0.12), color=ORANGE, va="bottom")
     axes.plot(*past, "s", mfc="white", mec=GREY)
     axes.annotate("in the past", (past[0] - 0.12, past[1] - 0.1), color=GREY, ha="right")
-    _arrow(axes, (0, 0), 1.5 * np.array([-0.8, 0.6]), GREY, "$L$", at=0.5, beside=(6, 8), style="--")
+    arrow(axes, (0, 0), 1.5 * np.array([-0.8, 0.6]), GREY, "$L$", at=0.5, beside=(6, 8), style="--")
 
 
-LAB_FIGURES: dict[str, Callable[[Figure], None]] = {
-    draw.__name__: draw for draw in (crate, limit, cones, bowling, leaving)
-}
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (crate, limit, cones, bowling, leaving)}
 """The figures by name."""
-
-
-def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Axes:
-    """Axes without ticks, of equal scale."""
-    axes = figure.add_subplot()
-    axes.set(xlim=x, ylim=y, aspect="equal")
-    axes.set_axis_off()
-    return axes
-
-
-def _floor(axes: Axes, left: float, right: float, height: float) -> None:
-    axes.plot([left, right], [height, height], color=INK, lw=2)
-    axes.add_patch(Rectangle((left, height - 0.14), right - left, 0.14, fc=LIGHT, ec="none"))
-
-
-def _arrow(
-    axes: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    text: str = "",
-    at: float = 1.0,
-    beside: tuple[float, float] = (0, 0),
-    style: str = "-",
-) -> None:
-    """An arrow, and its name beside a place on it."""
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    looks = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "linestyle": style, "shrinkA": 0, "shrinkB": 0}
-    end = start + along
-    axes.annotate("", (end[0], end[1]), (start[0], start[1]), arrowprops=looks, zorder=4)
-    if text:
-        x, y = start + at * along
-        axes.annotate(text, (x, y), beside, textcoords="offset points", color=colour, ha="center", va="center", size=11)

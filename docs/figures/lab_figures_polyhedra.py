@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from matplotlib.axes import Axes
+from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Polygon, Wedge
 from numpy.typing import ArrayLike, NDArray
-
-INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c04f00"
 
 
 def heights(figure: Figure) -> None:
@@ -20,24 +16,24 @@ def heights(figure: Figure) -> None:
     nearest of them. A point p lies beyond a corner. It is in front of two planes, at the heights h1 and h2. A dashed
     line shows that the corner itself is farther away than either height.
     """
-    axes = _board(figure, (-3.3, 3.6), (-1.75, 2.0))
+    axes = board(figure, (-3.3, 3.6), (-1.75, 2.0))
     corners = np.array([(-1.9, -1.2), (1.0, -1.2), (1.5, 0.5), (-1.2, 0.8)])
     axes.add_patch(Polygon(corners, fc=LIGHT, ec=INK))
     for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         normal = _right(end - start)
-        _arrow(axes, start + 0.42 * (end - start), 0.42 * normal, GREY)
+        arrow(axes, start + 0.42 * (end - start), 0.42 * normal, GREY)
     corner, p, q = corners[2], np.array([2.9, 1.5]), np.array([0.35, -0.75])
     right, top = _right(corners[2] - corners[1]), _right(corners[3] - corners[2])
-    axes.plot(*zip(corner, corner + 1.25 * _unit(corner - corners[1]), strict=True), ":", color=GREY)
-    axes.plot(*zip(corner, corner + 1.75 * _unit(corner - corners[3]), strict=True), ":", color=GREY)
-    _arrow(axes, p, -((p - corner) @ right) * right, ORANGE, "$h_1$", at=0.5, beside=(2, -11))
-    _arrow(axes, p, -((p - corner) @ top) * top, BLUE, "$h_2$", at=0.55, beside=(10, 0))
+    axes.plot(*zip(corner, corner + 1.25 * _along(corner - corners[1]), strict=True), ":", color=GREY)
+    axes.plot(*zip(corner, corner + 1.75 * _along(corner - corners[3]), strict=True), ":", color=GREY)
+    arrow(axes, p, -((p - corner) @ right) * right, ORANGE, "$h_1$", at=0.5, beside=(2, -11))
+    arrow(axes, p, -((p - corner) @ top) * top, BLUE, "$h_2$", at=0.55, beside=(10, 0))
     axes.plot(*zip(p, corner, strict=True), "--", color=INK, lw=1.2)
     axes.plot(*p, "o", color=INK, markersize=7)
-    axes.annotate("$p$", _xy(p), (9, 5), textcoords="offset points")
-    _arrow(axes, q, ((corners[1] - q) @ np.array([0, -1.0])) * np.array([0, -1.0]), ORANGE, "depth", 0.5, (23, 0))
+    axes.annotate("$p$", p, (9, 5), textcoords="offset points")
+    arrow(axes, q, ((corners[1] - q) @ np.array([0, -1.0])) * np.array([0, -1.0]), ORANGE, "depth", 0.5, (23, 0))
     axes.plot(*q, "o", color=INK, markersize=7)
-    axes.annotate("$q$", _xy(q), (-10, 5), textcoords="offset points")
+    axes.annotate("$q$", q, (-10, 5), textcoords="offset points")
 
 
 def areas(figure: Figure) -> None:
@@ -48,7 +44,7 @@ def areas(figure: Figure) -> None:
     smaller ones. The one opposite to a corner has the share of the area that is the weight of this corner. A second
     segment, drawn grey, meets the plane outside the triangle.
     """
-    axes = _board(figure, (-3.6, 3.6), (-1.75, 2.1))
+    axes = board(figure, (-3.6, 3.6), (-1.75, 2.1))
     plane = np.array([(-3.3, -1.25), (1.9, -1.25), (3.3, 0.95), (-1.9, 0.95)])
     axes.add_patch(Polygon(plane, fc="none", ec=GREY, ls=":"))
     a, b, c = np.array([-1.7, -0.85]), np.array([1.4, -0.65]), np.array([0.5, 0.75])
@@ -56,17 +52,17 @@ def areas(figure: Figure) -> None:
     for corners, look in (((x, b, c), "#ffffff"), ((x, c, a), LIGHT), ((x, a, b), "#c9d3e0")):
         axes.add_patch(Polygon(corners, fc=look, ec=INK))
     for name, corner, beside in (("$a$", a, (-10, -4)), ("$b$", b, (9, -6)), ("$c$", c, (4, 9))):
-        axes.annotate(name, _xy(corner), beside, textcoords="offset points", ha="center", va="center")
+        axes.annotate(name, corner, beside, textcoords="offset points", ha="center", va="center")
     axes.plot(*zip((x + b + c) / 3, (1.75, 0.35), strict=True), color=GREY, lw=1)
     axes.annotate("weight of $a$", (1.8, 0.42), color=INK, ha="center", va="bottom", size=10)
     way = np.array([0.25, 1.35])
-    _arrow(axes, x + way, -way, BLUE, "start", at=0.0, beside=(20, 4))
+    arrow(axes, x + way, -way, BLUE, "start", at=0.0, beside=(20, 4))
     axes.plot(*zip(x, x - 0.95 * way, strict=True), "--", color=BLUE, lw=1.8)
-    axes.annotate("end", _xy(x - 0.95 * way), (14, -2), textcoords="offset points", color=BLUE, va="center")
+    axes.annotate("end", x - 0.95 * way, (14, -2), textcoords="offset points", color=BLUE, va="center")
     axes.plot(*x, "o", color=ORANGE, markersize=7, zorder=6)
-    axes.annotate("$x$", _xy(x), (-10, 7), textcoords="offset points", color=ORANGE, ha="center")
+    axes.annotate("$x$", x, (-10, 7), textcoords="offset points", color=ORANGE, ha="center")
     miss = np.array([2.45, -0.35])
-    _arrow(axes, miss + 0.9 * way, -0.9 * way, GREY)
+    arrow(axes, miss + 0.9 * way, -0.9 * way, GREY)
     axes.plot(*zip(miss, miss - 0.8 * way, strict=True), "--", color=GREY, lw=1.8)
     axes.plot(*miss, "s", mfc="white", mec=GREY, zorder=6)
 
@@ -78,19 +74,19 @@ def turning(figure: Figure) -> None:
     sign is +1. A second point lies to the right, with the sign −1. The grey triangle a, b, c has half the area of the
     parallelogram of b − a and c − a.
     """
-    axes = _board(figure, (-3.2, 3.3), (-1.7, 2.1))
+    axes = board(figure, (-3.2, 3.3), (-1.7, 2.1))
     a, b, c, d = np.array([-2.2, -0.9]), np.array([1.7, 0.15]), np.array([-0.5, 1.5]), np.array([0.9, -1.2])
     axes.add_patch(Polygon([a, b, c], fc=LIGHT, ec="none"))
-    along = _unit(b - a)
+    along = _along(b - a)
     axes.plot(*zip(a - 0.8 * along, b + 1.3 * along, strict=True), ":", color=GREY)
-    _arrow(axes, a, b - a, INK, "$b - a$", at=0.55, beside=(6, -12))
-    _arrow(axes, a, c - a, BLUE, "$c - a$", at=0.55, beside=(-22, 6))
+    arrow(axes, a, b - a, INK, "$b - a$", at=0.55, beside=(6, -12))
+    arrow(axes, a, c - a, BLUE, "$c - a$", at=0.55, beside=(-22, 6))
     axes.add_patch(Arc((a[0], a[1]), 2.0, 2.0, theta1=15, theta2=54, color=BLUE, lw=1.6))
     for name, point, beside in (("$a$", a, (-8, -10)), ("$b$", b, (5, -12)), ("$c$: +1", c, (24, 8))):
         axes.plot(*point, "o", color=INK, markersize=5)
-        axes.annotate(name, _xy(point), beside, textcoords="offset points", ha="center", va="center")
+        axes.annotate(name, point, beside, textcoords="offset points", ha="center", va="center")
     axes.plot(*d, "s", mfc="white", mec=ORANGE, markersize=7)
-    axes.annotate("−1", _xy(d), (16, -1), textcoords="offset points", color=ORANGE, ha="center", va="center")
+    axes.annotate("−1", d, (16, -1), textcoords="offset points", color=ORANGE, ha="center", va="center")
 
 
 def crossings(figure: Figure) -> None:
@@ -101,20 +97,20 @@ def crossings(figure: Figure) -> None:
     the solid that runs to the right crosses four borders, an even number: outside. A ray up through the edge where two
     faces of the top meet touches both of them, although it leaves the solid only once there.
     """
-    axes = _board(figure, (-3.6, 3.6), (-1.7, 2.15))
+    axes = board(figure, (-3.6, 3.6), (-1.7, 2.15))
     corners = np.array([(-2.3, -1.3), (2.3, -1.3), (2.3, 0.7), (1.6, 1.15), (0.9, 0.7), (0.9, -0.5), (-0.9, -0.5),
                         (-0.9, 0.9), (-2.3, 0.9)])  # fmt: skip
     axes.add_patch(Polygon(corners, fc=LIGHT, ec=INK))
-    _arrow(axes, (-1.75, -0.15), (0, 1.95), BLUE, "1", at=0.93, beside=(-9, 0))
+    arrow(axes, (-1.75, -0.15), (0, 1.95), BLUE, "1", at=0.93, beside=(-9, 0))
     axes.plot(-1.75, 0.9, "o", color=BLUE, zorder=6)
     axes.plot(-1.75, -0.15, "o", color=INK, zorder=6)
-    _arrow(axes, (-3.2, 0.3), (6.4, 0), INK, "4", at=0.97, beside=(0, 10), style="--")
+    arrow(axes, (-3.2, 0.3), (6.4, 0), INK, "4", at=0.97, beside=(0, 10), style="--")
     axes.plot([-2.3, -0.9, 0.9, 2.3], [0.3] * 4, "s", color=INK, zorder=6, markersize=5)
     axes.plot(-3.2, 0.3, "o", color=INK, zorder=6)
-    _arrow(axes, (1.6, -0.9), (0, 2.8), ORANGE, "1 or 2?", at=0.93, beside=(26, 0))
+    arrow(axes, (1.6, -0.9), (0, 2.8), ORANGE, "1 or 2?", at=0.93, beside=(26, 0))
     axes.plot(1.6, 1.15, "D", color=ORANGE, zorder=6)
     axes.plot(1.6, -0.9, "o", color=INK, zorder=6)
-    _arrow(axes, (0.1, -0.95), (0, 2.5), BLUE, "1", at=0.94, beside=(9, 0))
+    arrow(axes, (0.1, -0.95), (0, 2.5), BLUE, "1", at=0.94, beside=(9, 0))
     axes.plot(0.1, -0.5, "o", color=BLUE, zorder=6)
     axes.plot(0.1, -0.95, "o", color=INK, zorder=6)
 
@@ -180,50 +176,16 @@ def crossed(figure: Figure) -> None:
     right.plot([-0.12, 0.12], [-1.5, -1.5], color=BLUE, lw=1.8)
 
 
-LAB_FIGURES: dict[str, Callable[[Figure], None]] = {
-    draw.__name__: draw for draw in (heights, areas, turning, crossings, angles, crossed)
-}
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (heights, areas, turning, crossings, angles, crossed)}
 """The figures by name."""
 
 
-def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Axes:
-    """Axes without ticks, of equal scale."""
-    axes = figure.add_subplot()
-    axes.set(xlim=x, ylim=y, aspect="equal")
-    axes.set_axis_off()
-    return axes
-
-
-def _xy(place: NDArray[np.float64]) -> tuple[float, float]:
-    return float(place[0]), float(place[1])
-
-
-def _unit(way: ArrayLike) -> NDArray[np.float64]:
+def _along(way: ArrayLike) -> NDArray[np.float64]:
     along = np.asarray(way, dtype=float)
     return np.asarray(along / np.linalg.norm(along))
 
 
 def _right(way: ArrayLike) -> NDArray[np.float64]:
     """The unit vector to the right of a way, which points outwards if the way runs round counter-clockwise."""
-    x, y = _unit(way)
+    x, y = _along(way)
     return np.array([y, -x])
-
-
-def _arrow(
-    axes: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    text: str = "",
-    at: float = 1.0,
-    beside: tuple[float, float] = (0, 0),
-    style: str = "-",
-) -> None:
-    """An arrow, and its name beside a place on it."""
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    looks = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "linestyle": style, "shrinkA": 0, "shrinkB": 0}
-    end = start + along
-    axes.annotate("", (end[0], end[1]), (start[0], start[1]), arrowprops=looks, zorder=4)
-    if text:
-        x, y = start + at * along
-        axes.annotate(text, (x, y), beside, textcoords="offset points", color=colour, ha="center", va="center", size=11)

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
+from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board, floor
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, Polygon, Rectangle
-from numpy.typing import ArrayLike
+from matplotlib.patches import Circle, Rectangle
 
-INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c04f00"
 E, G = 0.5, 9.81
 
 
@@ -21,18 +18,18 @@ def mirror(figure: Figure) -> None:
     sum of a part along the plane and a part (v·N) N, which points against N. After the impact the velocity v' has the
     same part along the plane. Its part along N points out of the plane and is shorter, e times as long.
     """
-    axes = _board(figure, (-3.1, 3.4), (-0.5, 2.6))
-    _floor(axes, -2.9, 3.1, 0.0)
+    axes = board(figure, (-3.1, 3.4), (-0.5, 2.6))
+    floor(axes, -2.9, 3.1, 0.0)
     v, after = np.array([1.7, -2.1]), np.array([1.7, 1.05])
     start = -v
-    _arrow(axes, start, v, BLUE, "$v$", at=0.5, beside=(12, 6))
-    _arrow(axes, start, (v[0], 0), GREY, "along the plane", at=0.35, beside=(-4, 9), style="--")
-    _arrow(axes, start, (0, v[1]), GREY, "$(v\\cdot N)\\,N$", at=0.45, beside=(-33, 0), style="--")
-    _arrow(axes, (0, 0), after, ORANGE, "$v'$", at=0.62, beside=(-8, 9))
-    _arrow(axes, (0, 0), (after[0], 0), GREY, "", style="--")
+    arrow(axes, start, v, BLUE, "$v$", at=0.5, beside=(12, 6))
+    arrow(axes, start, (v[0], 0), GREY, "along the plane", at=0.35, beside=(-4, 9), style="--")
+    arrow(axes, start, (0, v[1]), GREY, "$(v\\cdot N)\\,N$", at=0.45, beside=(-33, 0), style="--")
+    arrow(axes, (0, 0), after, ORANGE, "$v'$", at=0.62, beside=(-8, 9))
+    arrow(axes, (0, 0), (after[0], 0), GREY, "", style="--")
     axes.annotate("the same", (0.85, 0.17), color=GREY, ha="center", va="center", size=9)
-    _arrow(axes, (after[0], 0), (0, after[1]), GREY, "$-e\\,(v\\cdot N)\\,N$", at=0.5, beside=(43, 0), style="--")
-    _arrow(axes, (0, 0), (0, 1.7), INK, "$N$", beside=(9, -3))
+    arrow(axes, (after[0], 0), (0, after[1]), GREY, "$-e\\,(v\\cdot N)\\,N$", at=0.5, beside=(43, 0), style="--")
+    arrow(axes, (0, 0), (0, 1.7), INK, "$N$", beside=(9, -3))
     axes.add_patch(Circle((0, 0), 0.09, fc="white", ec=INK, zorder=6))
 
 
@@ -43,17 +40,17 @@ def racket(figure: Figure) -> None:
     right with w. In the lower one, seen from the racket, the racket is at rest, the ball comes with v + w, and it
     leaves to the right with e (v + w).
     """
-    axes = _board(figure, (-4.3, 4.2), (-2.15, 1.6))
+    axes = board(figure, (-4.3, 4.2), (-2.15, 1.6))
     for height, text in ((0.8, "from the\nground"), (-1.2, "from the\nracket")):
         axes.annotate(text, (-3.6, height), color=INK, ha="center", va="center", size=9)
         axes.add_patch(Rectangle((-1.6, height - 0.62), 0.16, 1.24, fc=GREY, ec=INK))
     _ball(axes, (1.6, 0.8))
-    _arrow(axes, (1.35, 0.8), (-1.3, 0), BLUE, "$v$", at=0.5, beside=(0, 9))
-    _arrow(axes, (-1.44, 0.8), (1.0, 0), INK, "$w$", at=0.5, beside=(0, 9))
+    arrow(axes, (1.35, 0.8), (-1.3, 0), BLUE, "$v$", at=0.5, beside=(0, 9))
+    arrow(axes, (-1.44, 0.8), (1.0, 0), INK, "$w$", at=0.5, beside=(0, 9))
     _ball(axes, (1.6, -0.9))
-    _arrow(axes, (1.35, -0.9), (-2.3, 0), BLUE, "$v + w$", at=0.45, beside=(0, 9))
+    arrow(axes, (1.35, -0.9), (-2.3, 0), BLUE, "$v + w$", at=0.45, beside=(0, 9))
     _ball(axes, (1.6, -1.55), style=":")
-    _arrow(axes, (1.85, -1.55), (1.15, 0), ORANGE, "$e\\,(v + w)$", at=0.5, beside=(0, 9))
+    arrow(axes, (1.85, -1.55), (1.15, 0), ORANGE, "$e\\,(v + w)$", at=0.5, beside=(0, 9))
     axes.annotate("after", (1.2, -1.55), color=GREY, ha="right", va="center", size=9)
 
 
@@ -135,7 +132,7 @@ def flip(figure: Figure) -> None:
     axes.plot(steps[:6], longer[:6], "x--", color=ORANGE, lw=1, markersize=7, markeredgewidth=2)
     axes.plot(steps, x, "o-", color=BLUE, lw=1.4, markersize=8)
     for step in (0, 1):
-        _arrow(axes, (step, x[step]), (0, 0.75 * x[step]), INK)
+        arrow(axes, (step, x[step]), (0, 0.75 * x[step]), INK)
     axes.annotate("$v$", (-0.13, 1.55), ha="right", size=12)
     axes.annotate("$-v$", (0.87, -1.6), ha="right", va="center", size=12)
     axes.annotate("$x$", (-0.13, 0.93), color=BLUE, ha="right", size=12)
@@ -147,9 +144,7 @@ def flip(figure: Figure) -> None:
     axes.spines[["top", "right", "left"]].set_visible(False)
 
 
-LAB_FIGURES: dict[str, Callable[[Figure], None]] = {
-    draw.__name__: draw for draw in (mirror, racket, orders, clamp, flip)
-}
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (mirror, racket, orders, clamp, flip)}
 """The figures by name."""
 
 
@@ -166,39 +161,5 @@ def _respond_last(z: float, v: float, dt: float) -> tuple[float, float]:
     return z, -E * v if z < 0 and v < 0 else v
 
 
-def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Axes:
-    """Axes without ticks, of equal scale."""
-    axes = figure.add_subplot()
-    axes.set(xlim=x, ylim=y, aspect="equal")
-    axes.set_axis_off()
-    return axes
-
-
-def _floor(axes: Axes, left: float, right: float, height: float) -> None:
-    axes.plot([left, right], [height, height], color=INK, lw=2)
-    corners = [(left, height), (right, height), (right, height - 0.16), (left, height - 0.16)]
-    axes.add_patch(Polygon(corners, fc=LIGHT, ec="none"))
-
-
 def _ball(axes: Axes, centre: tuple[float, float], style: str = "-") -> None:
     axes.add_patch(Circle(centre, 0.25, fc=LIGHT, ec=INK, ls=style))
-
-
-def _arrow(
-    axes: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    text: str = "",
-    at: float = 1.0,
-    beside: tuple[float, float] = (0, 0),
-    style: str = "-",
-) -> None:
-    """An arrow, and its name beside a place on it."""
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    looks = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "linestyle": style, "shrinkA": 0, "shrinkB": 0}
-    end = start + along
-    axes.annotate("", (end[0], end[1]), (start[0], start[1]), arrowprops=looks, zorder=4)
-    if text:
-        x, y = start + at * along
-        axes.annotate(text, (x, y), beside, textcoords="offset points", color=colour, ha="center", va="center", size=11)

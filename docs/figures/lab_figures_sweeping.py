@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from matplotlib.axes import Axes
+from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board, span, unit
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle, FancyBboxPatch, Polygon, Rectangle, Wedge
 from numpy.typing import ArrayLike, NDArray
-
-INK, GREY, LIGHT, BLUE, ORANGE = "#1b1b1b", "#767676", "#e4e8ee", "#0072b2", "#c04f00"
 
 
 def ray(figure: Figure) -> None:
@@ -20,27 +16,27 @@ def ray(figure: Figure) -> None:
     point, marked by a dot, and leaves it at a second one, marked by a cross. A second ray passes above the ball. A
     third one starts just inside the surface: its entry is behind it, and only the cross on the far side is ahead.
     """
-    axes = _board(figure, (-3.6, 3.6), (-1.75, 1.9))
+    axes = board(figure, (-3.6, 3.6), (-1.75, 1.9))
     axes.add_patch(Circle((0, 0), 1.2, fc=LIGHT, ec=INK, lw=1.6))
     axes.plot(0, 0, "+", color=INK, markersize=8)
-    _arrow(axes, (0, 0), 1.2 * _unit(-60), GREY, "$r$", at=0.5, beside=(10, 3))
-    start, along = np.array([-3.1, -0.05]), _unit(8)
-    _arrow(axes, start, 6.3 * along, BLUE)
-    _arrow(axes, start, 0.95 * along, INK, "$u$", at=0.8, beside=(0, -11))
+    arrow(axes, (0, 0), 1.2 * unit(-60), GREY, "$r$", at=0.5, beside=(10, 3))
+    start, along = np.array([-3.1, -0.05]), unit(8)
+    arrow(axes, start, 6.3 * along, BLUE)
+    arrow(axes, start, 0.95 * along, INK, "$u$", at=0.8, beside=(0, -11))
     axes.plot(*start, "o", color=INK, markersize=6)
-    axes.annotate("$x$", _xy(start), (-2, 9), textcoords="offset points", ha="center")
+    axes.annotate("$x$", start, (-2, 9), textcoords="offset points", ha="center")
     for place, mark, name, beside in zip(
         _crossed(start, along, 1.2), ("o", "X"), ("enters", "leaves"), ((-24, 9), (28, -8)), strict=True
     ):
         axes.plot(*place, mark, color=ORANGE, markersize=8, zorder=6)
-        axes.annotate(name, _xy(place), beside, textcoords="offset points", ha="center", color=ORANGE, va="center")
-    _arrow(axes, (-3.1, 1.3), 6.3 * _unit(1), GREY, "a miss", at=0.1, beside=(0, 9))
-    inside, way = 1.14 * _unit(200), _unit(-33)
+        axes.annotate(name, place, beside, textcoords="offset points", ha="center", color=ORANGE, va="center")
+    arrow(axes, (-3.1, 1.3), 6.3 * unit(1), GREY, "a miss", at=0.1, beside=(0, 9))
+    inside, way = 1.14 * unit(200), unit(-33)
     axes.plot(*inside, "s", color=INK, markersize=6, zorder=6)
     leaves = _crossed(inside, way, 1.2)[1]
-    _arrow(axes, inside, (np.linalg.norm(leaves - inside) + 0.7) * way, INK, style="--")
+    arrow(axes, inside, (np.linalg.norm(leaves - inside) + 0.7) * way, INK, style="--")
     axes.plot(*leaves, "X", color=ORANGE, markersize=8, zorder=6)
-    axes.annotate("from inside", _xy(inside), (-8, -12), textcoords="offset points", ha="right", va="center")
+    axes.annotate("from inside", inside, (-8, -12), textcoords="offset points", ha="right", va="center")
 
 
 def relative(figure: Figure) -> None:
@@ -57,22 +53,22 @@ def relative(figure: Figure) -> None:
     a, b = np.array([-1.4, -0.45]), np.array([1.2, 0.05])
     wind, u, v = np.array([0.0, 0.75]), np.array([1.2, 0.0]), np.array([-0.6, 0.0])
     for centre, radius, velocity, name in ((a, 0.35, u, "A"), (b, 0.6, v, "B")):
-        world.add_patch(Circle(_xy(centre), radius, fc=LIGHT, ec=INK, lw=1.6))
-        world.annotate(name, _xy(centre), (0, -8), textcoords="offset points", ha="center", va="center", weight="bold")
-        _arrow(world, centre, velocity, BLUE)
-        _arrow(world, centre, wind, GREY, style="--")
-    world.annotate("$v_A$", _xy(a + u), (4, -10), textcoords="offset points", color=BLUE, ha="center")
-    world.annotate("$v_B$", _xy(b + v), (-6, -12), textcoords="offset points", color=BLUE, ha="center")
-    world.annotate("wind", _xy(a + wind), (0, 6), textcoords="offset points", color=GREY, ha="center")
+        world.add_patch(Circle(centre, radius, fc=LIGHT, ec=INK, lw=1.6))
+        world.annotate(name, centre, (0, -8), textcoords="offset points", ha="center", va="center", weight="bold")
+        arrow(world, centre, velocity, BLUE)
+        arrow(world, centre, wind, GREY, style="--")
+    world.annotate("$v_A$", a + u, (4, -10), textcoords="offset points", color=BLUE, ha="center")
+    world.annotate("$v_B$", b + v, (-6, -12), textcoords="offset points", color=BLUE, ha="center")
+    world.annotate("wind", a + wind, (0, 6), textcoords="offset points", color=GREY, ha="center")
     world.annotate("in the world", (0, -1.5), ha="center", color=GREY, size=10)
     centre, point = np.array([0.95, 0.05]), np.array([-1.85, -0.45])
-    ride.add_patch(Circle(_xy(centre), 0.95, fc="none", ec=ORANGE, ls="--", lw=1.6))
-    ride.add_patch(Circle(_xy(centre), 0.6, fc=LIGHT, ec=INK, lw=1.6))
-    ride.annotate("B", _xy(centre), (0, 14), textcoords="offset points", ha="center", va="center", weight="bold")
+    ride.add_patch(Circle(centre, 0.95, fc="none", ec=ORANGE, ls="--", lw=1.6))
+    ride.add_patch(Circle(centre, 0.6, fc=LIGHT, ec=INK, lw=1.6))
+    ride.annotate("B", centre, (0, 14), textcoords="offset points", ha="center", va="center", weight="bold")
     ride.plot(*point, "o", color=INK, markersize=6)
-    ride.annotate("A", _xy(point), (-2, -12), textcoords="offset points", ha="center", va="center", weight="bold")
-    _arrow(ride, point, u - v, BLUE, "$v_A - v_B$", at=0.45, beside=(0, -11))
-    _arrow(ride, centre, 0.95 * _unit(60), ORANGE, "$r_A + r_B$", at=1.0, beside=(2, 9))
+    ride.annotate("A", point, (-2, -12), textcoords="offset points", ha="center", va="center", weight="bold")
+    arrow(ride, point, u - v, BLUE, "$v_A - v_B$", at=0.45, beside=(0, -11))
+    arrow(ride, centre, 0.95 * unit(60), ORANGE, "$r_A + r_B$", at=1.0, beside=(2, 9))
     ride.annotate("as seen from B", (0, -1.5), ha="center", color=GREY, size=10)
 
 
@@ -98,15 +94,15 @@ def offsets(figure: Figure) -> None:
     side.annotate("$c$", (0.42, b), (0, -10), textcoords="offset points", color=ORANGE, ha="center", va="center")
     for place in (-0.95, 1.05):
         side.plot(place, b, "s", color=BLUE, markersize=7, zorder=6)
-    _span(side, (-0.95, 1.38), (1.05, 1.38), "$D$")
-    _arrow(side, (0, 0), (0, b), INK, "$b$", at=0.5, beside=(9, 0))
-    _arrow(side, (0, 0), radius * _unit(-35), GREY, "$R$", at=0.55, beside=(0, -11))
+    span(side, (-0.95, 1.38), (1.05, 1.38), "$D$")
+    arrow(side, (0, 0), (0, b), INK, "$b$", at=0.5, beside=(9, 0))
+    arrow(side, (0, 0), radius * unit(-35), GREY, "$R$", at=0.55, beside=(0, -11))
     side.annotate("look", (-0.95, b), (-15, -2), textcoords="offset points", color=BLUE, ha="right", va="top")
     side.annotate("seen from the side", (0, -1.55), ha="center", color=GREY, size=10)
     front.add_patch(Circle((0, 0), radius, fc="white", ec=INK, hatch="////", lw=1.6))
     front.add_patch(Circle((0, 0), b, fc=LIGHT, ec=INK))
     front.plot(0, 0, "+", color=INK, markersize=8)
-    _arrow(front, (0, 0), b * _unit(60), INK, "$b$", at=0.5, beside=(9, -3))
+    arrow(front, (0, 0), b * unit(60), INK, "$b$", at=0.5, beside=(9, -3))
     front.annotate("seen along the flight", (0, -1.55), ha="center", color=GREY, size=10)
 
 
@@ -118,7 +114,7 @@ def slabs(figure: Figure) -> None:
     entry into the upright slab and its exit from the level one. Below, the same as bars over time: one bar for each
     slab, and a third, darker one for what both have in common.
     """
-    plan = _board(figure, (-3.6, 3.4), (-3.95, 1.5))
+    plan = board(figure, (-3.6, 3.4), (-3.95, 1.5))
     plan.add_patch(Rectangle((-0.9, -1.3), 1.8, 2.8, fc=LIGHT, ec="none"))
     plan.add_patch(Rectangle((-3.4, -0.7), 6.8, 1.4, fc="none", ec=GREY, hatch="...", lw=0))
     for side in (-1, 1):
@@ -126,7 +122,7 @@ def slabs(figure: Figure) -> None:
         plan.plot([-3.4, 3.4], [0.7 * side, 0.7 * side], color=GREY, lw=1.2, ls="--")
     plan.add_patch(Rectangle((-0.9, -0.7), 1.8, 1.4, fc="none", ec=INK, lw=2.2))
     start, end = np.array([-2.6, -1.2]), np.array([1.9, 1.45])
-    _arrow(plan, start, end - start, BLUE)
+    arrow(plan, start, end - start, BLUE)
     rise = (end - start)[1] / (end - start)[0]
     enters, leaves = (start[0] + (y - start[1]) / rise for y in (-0.7, 0.7))
     bars: tuple[tuple[float, float, float, str, dict[str, str]], ...] = (
@@ -153,7 +149,7 @@ def rounded(figure: Figure) -> None:
     centre inside the sharp corner and outside the round one: it does not touch the box. A hatched quarter disc shows
     the true part of the corner's square.
     """
-    axes = _board(figure, (-3.1, 3.7), (-1.45, 2.15))
+    axes = board(figure, (-3.1, 3.7), (-1.45, 2.15))
     r, a, b = 0.75, 1.4, 0.55
     axes.add_patch(Rectangle((-a - r, -b - r), 2 * (a + r), 2 * (b + r), fc="none", ec=ORANGE, ls="--", lw=1.6))
     style = f"round,pad=0,rounding_size={r}"
@@ -161,13 +157,13 @@ def rounded(figure: Figure) -> None:
     axes.add_patch(Wedge((a, b), r, 0, 90, fc="none", ec=BLUE, hatch="////", lw=0.8))
     axes.add_patch(Rectangle((-a, -b), 2 * a, 2 * b, fc=LIGHT, ec=INK, lw=1.8))
     axes.annotate("box", (0, -0.2), ha="center", va="center")
-    touching, beside = np.array([-0.75, b + r]), np.array([a, b]) + 1.22 * r * _unit(45)
+    touching, beside = np.array([-0.75, b + r]), np.array([a, b]) + 1.22 * r * unit(45)
     for centre, mark in ((touching, "o"), (beside, "X")):
-        axes.add_patch(Circle(_xy(centre), r, fc="none", ec=INK, lw=1.2, ls=":"))
+        axes.add_patch(Circle(centre, r, fc="none", ec=INK, lw=1.2, ls=":"))
         axes.plot(*centre, mark, color=INK, markersize=7, zorder=6)
-    axes.annotate("touches", _xy(touching), (0, 8), textcoords="offset points", ha="center", size=10)
-    axes.annotate("a false hit", _xy(beside), (78, 14), textcoords="offset points", ha="center", va="center", size=10)
-    _arrow(axes, (-a, -0.1), (-r, 0), GREY, "$r$", at=0.5, beside=(0, 9))
+    axes.annotate("touches", touching, (0, 8), textcoords="offset points", ha="center", size=10)
+    axes.annotate("a false hit", beside, (78, 14), textcoords="offset points", ha="center", va="center", size=10)
+    arrow(axes, (-a, -0.1), (-r, 0), GREY, "$r$", at=0.5, beside=(0, 9))
 
 
 def turn(figure: Figure) -> None:
@@ -177,29 +173,27 @@ def turn(figure: Figure) -> None:
     quarter of a circle. A dashed triangle is the convex hull of its start and its end. A post stands between the
     triangle and the arc: the rod goes through it, and the triangle does not touch it.
     """
-    axes = _board(figure, (-2.6, 2.9), (-0.25, 2.25))
+    axes = board(figure, (-2.6, 2.9), (-0.25, 2.25))
     length = 2.0
     axes.add_patch(Wedge((0, 0), length, 0, 90, fc=LIGHT, ec="none"))
     for degrees in range(10, 90, 10):
-        axes.plot(*zip((0, 0), length * _unit(degrees), strict=True), color="#b7c0cc", lw=1)
+        axes.plot(*zip((0, 0), length * unit(degrees), strict=True), color="#b7c0cc", lw=1)
     axes.add_patch(Arc((0, 0), 2 * length, 2 * length, theta1=0, theta2=90, color=BLUE, lw=1.6))
     axes.add_patch(Polygon([(0, 0), (length, 0), (0, length)], fc="none", ec=ORANGE, ls="--", lw=1.8))
     for degrees in (0, 90):
-        axes.plot(*zip((0, 0), length * _unit(degrees), strict=True), color=INK, lw=4, solid_capstyle="round")
-    post = 0.85 * length * _unit(45)
-    axes.add_patch(Circle(_xy(post), 0.1, fc=INK, ec=INK, zorder=6))
-    axes.annotate("post", _xy(post), (26, 8), textcoords="offset points", va="center", ha="center")
+        axes.plot(*zip((0, 0), length * unit(degrees), strict=True), color=INK, lw=4, solid_capstyle="round")
+    post = 0.85 * length * unit(45)
+    axes.add_patch(Circle(post, 0.1, fc=INK, ec=INK, zorder=6))
+    axes.annotate("post", post, (26, 8), textcoords="offset points", va="center", ha="center")
     axes.annotate("start", (length, 0), (14, 0), textcoords="offset points", va="center")
     axes.annotate("end", (0, length), (0, 8), textcoords="offset points", ha="center")
-    axes.annotate("path of the tip", _xy(length * _unit(20)), (10, 4), textcoords="offset points", color=BLUE, size=10)
+    axes.annotate("path of the tip", length * unit(20), (10, 4), textcoords="offset points", color=BLUE, size=10)
     axes.plot([-0.1, 0.45], [1.0, 1.0], color=ORANGE, lw=1)
     axes.annotate("hull of start and end", (-0.15, 1.0), ha="right", va="center", color=ORANGE, size=10)
     axes.plot(0, 0, "o", mfc="white", mec=INK, markersize=7, zorder=6)
 
 
-LAB_FIGURES: dict[str, Callable[[Figure], None]] = {
-    draw.__name__: draw for draw in (ray, relative, offsets, slabs, rounded, turn)
-}
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (ray, relative, offsets, slabs, rounded, turn)}
 """The figures by name."""
 
 
@@ -208,47 +202,3 @@ def _crossed(start: ArrayLike, along: ArrayLike, radius: float) -> list[NDArray[
     x, u = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
     half = np.sqrt((x @ u) ** 2 - x @ x + radius**2)
     return [x + (-(x @ u) + side * half) * u for side in (-1, 1)]
-
-
-def _board(figure: Figure, x: tuple[float, float], y: tuple[float, float]) -> Axes:
-    """Axes without ticks, of equal scale."""
-    axes = figure.add_subplot()
-    axes.set(xlim=x, ylim=y, aspect="equal")
-    axes.set_axis_off()
-    return axes
-
-
-def _xy(place: NDArray[np.float64]) -> tuple[float, float]:
-    return float(place[0]), float(place[1])
-
-
-def _unit(degrees: float) -> NDArray[np.float64]:
-    return np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
-
-
-def _arrow(
-    axes: Axes,
-    start: ArrayLike,
-    along: ArrayLike,
-    colour: str,
-    text: str = "",
-    at: float = 1.0,
-    beside: tuple[float, float] = (0, 0),
-    style: str = "-",
-) -> None:
-    """An arrow, and its name beside a place on it."""
-    start, along = np.asarray(start, dtype=float), np.asarray(along, dtype=float)
-    looks = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "linestyle": style, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", _xy(start + along), _xy(start), arrowprops=looks, zorder=4)
-    if text:
-        place = _xy(start + at * along)
-        axes.annotate(text, place, beside, textcoords="offset points", color=colour, ha="center", va="center", size=11)
-
-
-def _span(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
-    """A level length between two points, with its name above."""
-    looks = {"arrowstyle": "<->", "color": GREY, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", end, start, arrowprops=looks)
-    axes.annotate(
-        text, ((start[0] + end[0]) / 2, start[1]), (0, 8), textcoords="offset points", ha="center", va="center"
-    )

@@ -19,6 +19,7 @@ from __future__ import annotations
 import ast
 import re
 from dataclasses import dataclass, field
+from functools import cache
 
 from labs.grading.submission.reading import DRAFT
 from labs.project_folders import LESSONS
@@ -106,16 +107,21 @@ def read(topic: str) -> Lesson:
         If there is no such topic, it has no lesson yet, or the lesson does not fit the lecture: it leaves out a
         function that students write, has them in another order, or has a question without a model answer.
     """
-    try:
-        import jupytext  # noqa: PLC0415 - only building notebooks needs it
-    except ImportError:
-        raise InvalidInput('lessons are read with jupytext: pip install -e ".[dev]"') from None
-
     name = lecture.topic(topic).name
     path = LESSONS / f"{name}.md"
     if not path.is_file():
         raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(lessons())}")
-    lesson = Lesson(name, tuple(_cell(cell) for cell in jupytext.read(path).cells))
+    return _parsed(name, path.read_text(encoding="utf-8"))
+
+
+@cache
+def _parsed(name: str, text: str) -> Lesson:
+    """The lesson with that text. Parsing takes longer than a test does, and each submission of a class asks for it."""
+    try:
+        import jupytext  # noqa: PLC0415 - only building notebooks needs it
+    except ImportError:
+        raise InvalidInput('lessons are read with jupytext: pip install -e ".[dev]"') from None
+    lesson = Lesson(name, tuple(_cell(cell) for cell in jupytext.reads(text, fmt="md").cells))
     _refuse(lesson)
     return lesson
 

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import stat
 import zipfile
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from datetime import datetime
+from itertools import islice
 from pathlib import Path, PurePosixPath
 
 from labs.gradebook.layouts import (
@@ -31,8 +33,8 @@ from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import FILE_LIMIT
 from reference.errors import InvalidInput
 
-MOST_FILES, DEEPEST = 500, 6
-"""So many files of one entry are looked at, in folders so deep."""
+MOST_FILES, DEEPEST = 5000, 6
+"""So many files of one entry are looked at, in folders so deep: five times what a release holds."""
 _NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
 _SUBMITTED = "submitted"
 """nbgrader's folder of what was handed in."""
@@ -206,12 +208,12 @@ def _files(entry: Path) -> Iterator[_File]:
 
 
 def _in_folder(folder: Path) -> Iterator[_File]:
-    waiting, seen = [folder], 0
-    while waiting:
-        for path in sorted(waiting.pop().iterdir()):
-            seen += 1
+    waiting, left = deque([folder]), MOST_FILES
+    while waiting and left:
+        for path in sorted(path for path in waiting.popleft().iterdir() if not _is_hidden(path.name))[:left]:
+            left -= 1
             name = _shown(path.relative_to(folder).as_posix())
-            if seen > MOST_FILES or path.is_symlink() or _is_hidden(name):
+            if path.is_symlink():
                 continue
             if path.is_dir() and len(PurePosixPath(name).parts) < DEEPEST:
                 waiting.append(path)
@@ -221,8 +223,9 @@ def _in_folder(folder: Path) -> Iterator[_File]:
 
 def _in_archive(path: Path) -> Iterator[_File]:
     with zipfile.ZipFile(path) as archive:
-        for info in archive.infolist()[:MOST_FILES]:
-            if not info.is_dir() and not stat.S_ISLNK(info.external_attr >> 16) and not _is_hidden(info.filename):
+        theirs = (info for info in archive.infolist() if not info.is_dir() and not _is_hidden(info.filename))
+        for info in islice(theirs, MOST_FILES):
+            if not stat.S_ISLNK(info.external_attr >> 16):
                 yield _File(info.filename, info.file_size, _reader(path, info))
 
 

@@ -117,6 +117,16 @@ def test_of_several_files_the_one_of_the_lab_is_graded(tmp_path):
     }
 
 
+def test_the_notebook_is_found_in_a_whole_tree_that_is_handed_in(tmp_path):
+    names = [*(f".venv/{number}.py" for number in range(6000)), *(f"data/{number}.npz" for number in range(1000))]
+    with zipfile.ZipFile(tmp_path / "bob.zip", "w") as archive:
+        for name in (*names, "labs/notebooks/impulse.ipynb"):
+            archive.writestr(f"lab/{name}", "")
+    with zipfile.ZipFile(tmp_path / "bob.zip") as archive:
+        archive.extractall(tmp_path / "ada")
+    assert set(found(tmp_path).values()) == {"lab/labs/notebooks/impulse.ipynb"}
+
+
 def test_an_archive_is_read_without_being_unpacked(tmp_path):
     with zipfile.ZipFile(tmp_path / "ada.zip", "w") as archive:
         archive.writestr("../../impulse.ipynb", "outside")

@@ -38,7 +38,7 @@ FULL = 66
 def wrong_functions() -> Iterator[tuple[str, str]]:
     """Functions of the lab with a mistake, as people write them: name and source."""
     written = {entry.name for entry in lecture.functions_of("impulse") if entry.role == "written"}
-    for path in sorted((AUTOGRADER / "students").glob("*.py")):
+    for path in sorted((AUTOGRADER / "students").rglob("*.py")):
         text = path.read_text(encoding="utf-8")
         for node in ast.parse(text).body:
             if isinstance(node, ast.FunctionDef) and (name := re.sub(r"_\d+$", "", node.name)) in written:
