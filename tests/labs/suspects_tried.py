@@ -20,6 +20,9 @@ BANK_ENTRY = {
     ("sweeping", "zone"): "ray_sphere/exit from within",
     ("sweeping", "viewer"): "ray_box/along an axis is inside",
     ("sweeping", "pipes"): "ray_capsule/ends left out",
+    ("world", "crane"): "solve_by_sweeps/change clamped",
+    ("world", "wagons"): "propagate_impacts/one pass",
+    ("world", "satellite"): "rotate_by_momentum/spin kept",
 }
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 EXPOSING = {
@@ -45,6 +48,9 @@ EXPOSING = {
     ("sweeping", "zone"): ([0.0, 0.0, 0.5], [0.0, 0.0, 1.0], 1.0),
     ("sweeping", "viewer"): ([-3.0, 0.0, 5.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
     ("sweeping", "pipes"): ([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
+    ("world", "crane"): ([[2.0, 1.0], [1.0, 2.0]], [-4.0, -4.0], 9),
+    ("world", "wagons"): ([2.0, 0.0, 0.0], [1.0, 3.0, 9.0], 0.5),
+    ("world", "satellite"): ([1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 3.0], 0.25),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -65,4 +71,7 @@ HARMLESS = {
     ("sweeping", "zone"): ([0.0, 0.5, -3.0], [0.0, 0.0, 2.0], 1.0),
     ("sweeping", "viewer"): ([-3.0, 0.2, -1.5], [1.0, 0.1, 0.4], [1.0, 1.0, 1.0]),
     ("sweeping", "pipes"): ([2.0, 0.1, 0.3], [-1.0, 0.0, 0.1], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5),
+    ("world", "crane"): ([[2.0, 1.0], [1.0, 2.0]], [-4.0, -4.0], 1),
+    ("world", "wagons"): ([2.0, 0.0, 0.0], [1.0, 1.0, 1.0], 1.0),
+    ("world", "satellite"): ([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1.0, 2.0, 3.0], 0.25),
 }

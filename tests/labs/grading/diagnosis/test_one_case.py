@@ -122,7 +122,8 @@ def test_a_likely_mistake_with_other_numbers_for_many_is_said_to_differ():
 
 
 def test_a_right_function_of_one_case_makes_no_mistake():
-    for entry in probed()[::6]:
+    of_many = [entry for entry in probed() if any(probe.group == "many" for probe in probes(entry.name))]
+    for entry in of_many[::6]:
         found = diagnose(entry.name, refuses_many(entry.name, solution(entry.name)))
         assert (found.verdict, found.mistakes) == ("one at a time", ()), told(found)
 
