@@ -22,7 +22,7 @@ from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, LESSONS, SOLVED_
 from reference import lecture
 from reference.errors import CollisionsError
 
-GRADED = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping")
+GRADED = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world")
 EVERY_TOPIC = pytest.mark.parametrize(
     "topic",
     [
