@@ -45,7 +45,7 @@ docs: $(READY)   ## draw the figures of the pages and write the pages that come 
 	$(BIN)/python docs/symbol_table.py
 
 verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report, more examples of each property
-	$(PYTEST) -m 'slow or hypothesis' --hypothesis-profile=more --timeout=1200 --run-limit=3600 $(ARGS)
+	$(PYTEST) -m 'slow or hypothesis' --hypothesis-profile=more --timeout=1200 --run-limit=4500 $(ARGS)
 
 clean:           ## remove the environment and what was built
 	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis

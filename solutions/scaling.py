@@ -119,16 +119,21 @@ def moderate_equations(matrix: Array, right: Array) -> tuple[Array, Array, Array
 
 
 def root_of_difference(u: Array, p: Array, q: Array) -> Array:
-    """√(u² − p q), as precise for 1e-300 and 1e300 as for 1; NaN where u² < p q."""
+    """√(u² − p q), as precise for 1e-300 and 1e300 as for 1.
+
+    It is NaN where u² < p q.
+    """
     with np.errstate(over="ignore", invalid="ignore"):
         difference = np.asarray(u * u - p * q)
         root = np.asarray(np.sqrt(difference))
     size = np.abs(difference)
     if not moderate(size, 4):
-        size = size + ((u == 0) & ((p == 0) | (q == 0)))  # without these, whose root is 0
+        # Without these, whose root is 0:
+        size = size + ((u == 0) & ((p == 0) | (q == 0)))
         if not moderate(size, 4):
             extreme = ~((size > SMALL**4) & (size < LARGE**4))
-            root[extreme] = _root_in_units(*(np.broadcast_to(value, root.shape)[extreme] for value in (u, p, q)))
+            three = (np.broadcast_to(each, root.shape) for each in (u, p, q))
+            root[extreme] = _root_in_units(*(each[extreme] for each in three))
     return root
 
 
@@ -163,7 +168,9 @@ def _largest(vector: Array) -> Array:
 def _root_in_units(u: Array, p: Array, q: Array) -> Array:
     """√(u² − p q), calculated with u over 2ᵏ and with p q over 4ᵏ."""
     (u, of_u), (p, of_p), (q, of_q) = np.frexp(u), np.frexp(p), np.frexp(q)
-    k = np.where(p * q == 0, of_u, np.where(u == 0, (of_p + of_q) // 2, np.maximum(of_u, (of_p + of_q) // 2)))
+    half = (of_p + of_q) // 2
+    k = np.where(u == 0, half, np.maximum(of_u, half))
+    k = np.where(p * q == 0, of_u, k)
     u, product = np.ldexp(u, of_u - k), np.ldexp(p * q, of_p + of_q - 2 * k)
     with np.errstate(invalid="ignore"):
         return np.asarray(np.ldexp(np.sqrt(u * u - product), k))

@@ -17,6 +17,7 @@ import numpy as np
 from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.submission.cells import read_cells
 from labs.grading.submission.magics import without_magics
+from labs.grading.worker.bodies import SpringMesh
 from reference import lecture
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, UnknownName
@@ -76,7 +77,7 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         If it is no single case, or one of the two functions refuses it: then it says nothing about the mistake.
     """
     _check_size(arguments)
-    given_to_both = [_as_checks_give(each) for each in arguments]
+    given_to_both = _with_floats([_as_checks_give(each) for each in arguments])
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
@@ -156,12 +157,24 @@ def _count(value: Any) -> int:
 
 
 def _as_checks_give(value: Any) -> Any:
-    """An input as the checks of a lab give it: a list as an array, unless its parts differ in shape."""
+    """An input as the checks of a lab give it: a list as an array, unless its parts differ in shape; a mesh by name."""
     if not isinstance(value, list | tuple):
         return value
     with contextlib.suppress(ValueError):  # as of a body, with its velocity and its mass
         return np.array(value)
+    if len(value) == len(SpringMesh._fields):
+        edges, *springs, mass, pinned = value
+        rest, stiffness, damping = (np.array(each, dtype=float) for each in springs)
+        ends, held = np.array(edges, dtype=int), np.array(pinned, dtype=bool)
+        return SpringMesh(ends, rest, stiffness, damping, np.array(mass, dtype=float), held)
     return value
+
+
+def _with_floats(arguments: list[Any]) -> list[Any]:
+    """The arguments of a call; beside a mesh, which holds all whole numbers, arrays are of floats."""
+    if not any(isinstance(each, SpringMesh) for each in arguments):
+        return arguments
+    return [each.astype(float) if isinstance(each, np.ndarray) else each for each in arguments]
 
 
 def _flat(answer: Any) -> np.ndarray[Any, Any]:

@@ -20,7 +20,7 @@ IDEAS: Mapping[str, tuple[str, str]] = {
     "sweeping": ("quadratic equations", "when a point meets a plane, and what a step misses (`detection`)"),
     "forces": ("derivatives", "nothing"),
     "meshes": ("derivatives, matrices", "springs and their longest timestep (`forces`)"),
-    "avoidance": ("the dot product", "nothing"),
+    "avoidance": ("the dot product, derivatives", "nothing"),
     "world": ("linear equations", "impulses (`impulse`) and friction (`friction`)"),
 }
 """Of each lab, what it needs of mathematics, and which idea of an earlier lab it builds on."""

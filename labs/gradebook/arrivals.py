@@ -34,7 +34,7 @@ from labs.grading.submission.cells import FILE_LIMIT
 from reference.errors import InvalidInput
 
 MOST_FILES, DEEPEST = 5000, 6
-"""So many files of one entry are looked at, in folders so deep: five times what a release holds."""
+"""So many files of one entry are looked at, in folders so deep. A release through the impulse lab has 841."""
 _NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
 _SUBMITTED = "submitted"
 """nbgrader's folder of what was handed in."""

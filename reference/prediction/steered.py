@@ -10,7 +10,7 @@ from reference.errors import CollisionsError, as_failed_run
 from reference.prediction.loaded import BULLETS_DAMPING
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene.clearance import nearest
-from reference.scene.loads import Loads
+from reference.scene.loads import Loads, Steers
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -35,13 +35,17 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return None
     try:
         with as_failed_run():
-            steers = steers_of(scenario, method.steered_by)
             damping = BULLETS_DAMPING if method.rule == BULLET_DAMPED else 0.0
-            paths = _paths(scenario, settings, Loads(scenario, steers=steers), damping)
+            found = without_contacts(scenario, settings, steers_of(scenario, method.steered_by), damping)
     except CollisionsError:
         return None
-    found = trajectory_of(scenario, settings, paths)
     return None if _touch(found) else Prediction(found, NEAR, "the recurrence of the method, to magnified rounding")
+
+
+def without_contacts(scenario: Scenario, settings: Settings, steers: Steers | None, damping: float = 0.0) -> Trajectory:
+    """How bodies move that are steered and go through each other."""
+    paths = _paths(scenario, settings, Loads(scenario, steers=steers), damping)
+    return trajectory_of(scenario, settings, paths)
 
 
 def _paths(scenario: Scenario, settings: Settings, loads: Loads, damping: float) -> dict[str, Path]:

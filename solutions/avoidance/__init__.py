@@ -1,19 +1,24 @@
-"""Avoiding a collision: force fields, steering, flocks and crowds (slide 1)."""
+"""Avoiding a collision: fields, steering, flocks and crowds (slide 1)."""
 
 from solutions.avoidance.approach import nearest_approach, time_to_collision
+from solutions.avoidance.cones import cap_of_cone, orca_half_plane
 from solutions.avoidance.directions import limited
 from solutions.avoidance.fields import repelling_force, sphere_force
-from solutions.avoidance.flock import alignment, cohesion, flock_step, separation
+from solutions.avoidance.flock import flock_step, separation, towards_mean
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.avoidance.obstacles import is_in_the_way, steer_around, tangent_point
-from solutions.avoidance.orca import crowd_step, orca_half_plane
+from solutions.avoidance.obstacles import (
+    is_in_the_way,
+    side_of,
+    steer_around,
+    tangent_point,
+)
+from solutions.avoidance.orca import crowd_step
 from solutions.avoidance.steering import arrive, flee, seek, steering_force
 
 __all__ = [
-    "alignment",
     "arrive",
-    "cohesion",
+    "cap_of_cone",
     "crowd_step",
     "flee",
     "flock_step",
@@ -26,9 +31,11 @@ __all__ = [
     "repelling_force",
     "seek",
     "separation",
+    "side_of",
     "sphere_force",
     "steer_around",
     "steering_force",
     "tangent_point",
     "time_to_collision",
+    "towards_mean",
 ]

@@ -1,4 +1,4 @@
-"""Moving obstacles: how near two spheres will come, and when they meet (slide 1)."""
+"""How near two spheres will come, and when they meet (slide 1)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def nearest_approach(
     radius_a: ArrayLike = 0.0,
     radius_b: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
-    """When two spheres at constant velocities are nearest, and how near (slide 1).
+    """When two spheres are nearest, and how near, at constant velocities.
 
     Two points are spheres of radius 0.
 
@@ -31,35 +31,45 @@ def nearest_approach(
     Returns
     -------
     time : (...), s from now, never negative
-        It is 0, which means now, if the spheres already move apart. It is also 0 if
-        they keep their distance because their velocities are equal.
+        It is 0, which means now, if the spheres already move apart. It is also
+        0 if they keep their distance because their velocities are equal.
     separation : (...), m, between the surfaces at that time
         Negative where the spheres will overlap.
 
     Raises
     ------
     ValueError
-        If a radius is negative, or a vector is not finite or does not have three
-        components.
+        If a radius is negative, or a vector is not finite or does not have
+        three components.
 
     Notes
     -----
-    Let x = p_A − p_B be the relative position now, and u = ṗ_A − ṗ_B the relative
-    velocity. After the time t the relative position is x + u t, and its square is
+    Let x = p_A − p_B be the relative position now, and u = ṗ_A − ṗ_B the
+    relative velocity. After the time t the relative position is x + u t, and
+    its square is
 
         (x + u t)² = x² + 2 x·u t + u² t²
 
-    This is a parabola in t. Its derivative 2 x·u + 2 u² t vanishes at t = −x·u/u², and
-    there the distance is smallest. If this time is negative, it has passed: the spheres
-    move apart, and of all times from now on they are nearest at once.
+    This is a parabola in t. Its derivative 2 x·u + 2 u² t vanishes at t =
+    −x·u/u², and there the distance is smallest. If this time is negative, it
+    has passed: the spheres move apart, and of all times from now on they are
+    nearest at once.
     """
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
     way, _, speed = in_moderate_units(u)
     closing, squared = -np.vecdot(x, way), np.vecdot(way, way)
-    time = np.where(squared > 0, np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed, 0.0)
+    time = np.where(
+        squared > 0,
+        np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed,
+        0.0,
+    )
     distance = length_of(x + u * time[..., None])
-    return time, np.asarray(distance - not_negative("radius_a", radius_a) - not_negative("radius_b", radius_b))
+    return time, np.asarray(
+        distance
+        - not_negative("radius_a", radius_a)
+        - not_negative("radius_b", radius_b)
+    )
 
 
 def time_to_collision(
@@ -81,36 +91,43 @@ def time_to_collision(
     Returns
     -------
     (...), s from now
-        It is 0 if the spheres overlap, and if they touch and approach. It is infinity
-        if they never meet. Spheres that will just graze each other do meet.
+        It is 0 if the spheres overlap, and if they touch and approach. It is
+        infinity if they never meet. Spheres that will just graze each other do
+        meet.
 
     Raises
     ------
     ValueError
-        If a radius is negative, or a vector is not finite or does not have three
-        components.
+        If a radius is negative, or a vector is not finite or does not have
+        three components.
 
     Notes
     -----
-    The spheres touch when their centres are R = r_A + r_B apart. With x = p_A − p_B and
-    u = ṗ_A − ṗ_B, the time is the first root of ‖x + u t‖ = R. Squared, this is
+    The spheres touch when their centres are R = r_A + r_B apart. With x = p_A
+    − p_B and u = ṗ_A − ṗ_B, the time is the first root of ‖x + u t‖ = R.
+    Squared, this is
 
         u² t² + 2 x·u t + x² − R² = 0
 
-    The identity (x·u)² + (x × u)² = x² u² turns the discriminant into R² u² − (x × u)²,
-    and the first root is t = (−x·u − √(R² u² − (x × u)²))/u². Multiply its numerator
-    and its denominator by −x·u + √(R² u² − (x × u)²):
+    The identity (x·u)² + (x × u)² = x² u² turns the discriminant into R² u² −
+    (x × u)², and the first root is t = (−x·u − √(R² u² − (x × u)²))/u².
+    Multiply its numerator and its denominator by −x·u + √(R² u² − (x × u)²):
 
         t = (x² − R²)/(−x·u + √(R² u² − (x × u)²))    if x·u < 0
 
-    In this form no two nearly equal numbers are subtracted, because neither term of the
-    denominator is negative while the spheres approach. If they do not approach, or if
-    the number under the root is negative, they never meet.
+    In this form no two nearly equal numbers are subtracted, because neither
+    term of the denominator is negative while the spheres approach. If they do
+    not approach, or if the number under the root is negative, they never meet.
     """
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
-    reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
-    (x, distance, metre), (u, _, speed) = in_moderate_units(x), in_moderate_units(u)
+    reach = not_negative("radius_a", radius_a) + not_negative(
+        "radius_b", radius_b
+    )
+    (x, distance, metre), (u, _, speed) = (
+        in_moderate_units(x),
+        in_moderate_units(u),
+    )
     closing, across = -np.vecdot(x, u), np.cross(x, u)
     with np.errstate(over="ignore"):
         overlap = distance < reach / metre
@@ -118,5 +135,13 @@ def time_to_collision(
     discriminant = reach**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
-    time = (distance - reach) * (distance + reach) / np.where(meets, closing + root, 1.0) * metre / speed
-    return np.where(overlap, 0.0, np.where(meets, np.maximum(time, 0.0), np.inf))
+    time = (
+        (distance - reach)
+        * (distance + reach)
+        / np.where(meets, closing + root, 1.0)
+        * metre
+        / speed
+    )
+    return np.where(
+        overlap, 0.0, np.where(meets, np.maximum(time, 0.0), np.inf)
+    )

@@ -46,7 +46,10 @@ def limited(value: ArrayLike, largest: ArrayLike) -> Array:
     ValueError
         If a largest length is negative.
     """
-    v, largest = np.asarray(value, dtype=float), not_negative("largest", largest)
+    v, largest = (
+        np.asarray(value, dtype=float),
+        not_negative("largest", largest),
+    )
     length = length_of(v)
     too_long = length > largest
     share = np.where(too_long, largest, 1.0) / np.where(too_long, length, 1.0)
@@ -59,12 +62,14 @@ def to_the_left(direction: ArrayLike) -> Array:
     It is +x where the direction is vertical or zero.
     """
     d = np.asarray(direction, dtype=float)
-    left = unit_or_zero(np.stack([-d[..., 1], d[..., 0], np.zeros(d.shape[:-1])], axis=-1))
+    left = unit_or_zero(
+        np.stack([-d[..., 1], d[..., 0], np.zeros(d.shape[:-1])], axis=-1)
+    )
     has_one = np.any(left != 0, axis=-1, keepdims=True)
     return np.where(has_one, left, np.array([1.0, 0.0, 0.0]))
 
 
 def turned_left(value: ArrayLike) -> Array:
-    """Return vectors (..., 2), turned left by a quarter: (x, y) becomes (−y, x)."""
+    """Return vectors (..., 2), turned left by a quarter turn."""
     v = np.asarray(value, dtype=float)
     return np.stack([-v[..., 1], v[..., 0]], axis=-1)

@@ -19,8 +19,9 @@ def repelling_force(
 ) -> Array:
     """Force of a repelling field around an obstacle of any shape (slide 1).
 
-    The force points away from the obstacle. Its size falls from F0 at the surface to
-    zero at the reach, with the square of the share of the reach that is left.
+    The force points away from the obstacle. Its size falls from F0 at the
+    surface to zero at the reach, with the square of the share of the reach
+    that is left.
 
     Parameters
     ----------
@@ -32,14 +33,14 @@ def repelling_force(
     Returns
     -------
     (..., 3), N
-        Inside the obstacle it is F0 n, as at the surface. At the reach and beyond it is
-        zero.
+        Inside the obstacle it is F0 n, as at the surface. At the reach and
+        beyond it is zero.
 
     Raises
     ------
     ValueError
-        If a normal does not have length 1, a strength is negative, or a reach is not
-        positive.
+        If a normal does not have length 1, a strength is negative, or a reach
+        is not positive.
 
     Notes
     -----
@@ -47,14 +48,14 @@ def repelling_force(
 
         F = F0 (1 − s/R)² n    for 0 ≤ s < R,    zero beyond,    F0 n inside
 
-    Because of the square, both the force and its slope are zero at the reach, so that
-    the force sets in smoothly.
+    Because of the square, both the force and its slope are zero at the reach,
+    so that the force sets in smoothly.
 
-    There are three things that no such field can do. It lets no body fly along a wall,
-    because within its reach it pushes the body off. A body that meets it head-on is
-    pushed straight back, with no part to the side: if the body is drawn to a goal
-    behind the obstacle, it stops where the two forces balance. And the forces of two
-    obstacles cancel somewhere between them.
+    There are three things that no such field can do. It lets no body fly along
+    a wall, because within its reach it pushes the body off. A body that meets
+    it head-on is pushed straight back, with no part to the side: if the body
+    is drawn to a goal behind the obstacle, it stops where the two forces
+    balance. And the forces of two obstacles cancel somewhere between them.
     """
     return _field(separation, unit("normal", normal), strength, reach)
 
@@ -66,10 +67,10 @@ def sphere_force(
     strength: ArrayLike,
     reach: ArrayLike,
 ) -> Array:
-    """Force of the repelling field around a sphere, away from its centre (slide 1).
+    """Force of the repelling field around a sphere (slide 1).
 
-    It is the force of `repelling_force`, at the separation from the surface of the
-    sphere.
+    It is the force of `repelling_force`, at the separation from the surface of
+    the sphere.
 
     Parameters
     ----------
@@ -86,8 +87,8 @@ def sphere_force(
     Raises
     ------
     ValueError
-        If a radius or a strength is negative, a reach is not positive, or a place is
-        not finite or does not have three components.
+        If a radius or a strength is negative, a reach is not positive, or a
+        place is not finite or does not have three components.
 
     Notes
     -----
@@ -102,7 +103,11 @@ def sphere_force(
     return _field(separation, unit_or_zero(away), strength, reach)
 
 
-def _field(separation: ArrayLike, normal: Array, strength: ArrayLike, reach: ArrayLike) -> Array:
+def _field(
+    separation: ArrayLike, normal: Array, strength: ArrayLike, reach: ArrayLike
+) -> Array:
     s, limit = np.asarray(separation, dtype=float), positive("reach", reach)
     nearness = np.clip(1 - s / limit, 0.0, 1.0)
-    return np.asarray((not_negative("strength", strength) * nearness**2)[..., None] * normal)
+    return np.asarray(
+        (not_negative("strength", strength) * nearness**2)[..., None] * normal
+    )

@@ -1,4 +1,4 @@
-"""A flock after Reynolds: separation, alignment, cohesion and their step (slide 1)."""
+"""A flock after Reynolds: its rules and its step (slide 1)."""
 
 from __future__ import annotations
 
@@ -11,11 +11,13 @@ from solutions.avoidance.neighbours import neighbour_pairs
 from solutions.checks import not_negative, positive
 
 
-def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
+def separation(
+    position: ArrayLike, first: ArrayLike, second: ArrayLike
+) -> Array:
     """Push away from the neighbours, most of all from the near ones (slide 1).
 
-    Each neighbour adds a push that points away from it and whose size is one over the
-    distance.
+    Each neighbour adds a push that points away from it and whose size is one
+    over the distance.
 
     Parameters
     ----------
@@ -25,8 +27,8 @@ def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Arra
     Returns
     -------
     (n, d), 1/m
-        Zero without neighbours. Neighbours at the same place have no direction from
-        each other and do not count.
+        Zero without neighbours. Neighbours at the same place have no direction
+        from each other and do not count.
 
     Notes
     -----
@@ -34,46 +36,53 @@ def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Arra
 
         Σ (p_i − p_j)/‖p_i − p_j‖²
 
-    What i feels from j is the opposite of what j feels from i. Over the whole flock the
-    pushes therefore add up to zero.
+    What i feels from j is the opposite of what j feels from i. Over the whole
+    flock the pushes therefore add up to zero.
     """
-    p, i, j = np.asarray(position, dtype=float), np.asarray(first), np.asarray(second)
+    p, i, j = (
+        np.asarray(position, dtype=float),
+        np.asarray(first),
+        np.asarray(second),
+    )
     apart = p[i] - p[j]
     squared = np.sum(apart * apart, axis=-1, keepdims=True)
     push = apart / np.where(squared > 0, squared, 1.0)
     return _sum_over_neighbours(len(p), i, j, push, -push)
 
 
-def alignment(velocity: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """Mean velocity of the neighbours minus the own velocity (slide 1).
+def towards_mean(
+    value: ArrayLike, first: ArrayLike, second: ArrayLike
+) -> Array:
+    """Mean of the neighbours' values minus the own value (slide 1).
+
+    Of the velocities it is *alignment*, and of the positions it is *cohesion*.
 
     Parameters
     ----------
-    velocity : (n, d), m/s
+    value : (n, d), positions in m or velocities in m/s
     first, second : (pairs,), indices of neighbours, each pair once
 
     Returns
     -------
-    (n, d), m/s
+    (n, d), in the unit of the values
         Zero without neighbours.
+
+    Notes
+    -----
+    Each pair (i, j) adds x_j − x_i for i, and x_i − x_j for j. Divided by the
+    number of neighbours, the sum is the mean of their values minus the own
+    value. A sum of differences keeps its digits far from the origin, where a
+    mean of positions loses them.
     """
-    return _to_the_mean(velocity, first, second)
-
-
-def cohesion(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """Mean position of the neighbours minus the own position (slide 1).
-
-    Parameters
-    ----------
-    position : (n, d), m
-    first, second : (pairs,), indices of neighbours, each pair once
-
-    Returns
-    -------
-    (n, d), m
-        Zero without neighbours.
-    """
-    return _to_the_mean(position, first, second)
+    x, i, j = (
+        np.asarray(value, dtype=float),
+        np.asarray(first),
+        np.asarray(second),
+    )
+    towards = x[j] - x[i]
+    total = _sum_over_neighbours(len(x), i, j, towards, -towards)
+    count = np.bincount(i, minlength=len(x)) + np.bincount(j, minlength=len(x))
+    return np.asarray(total / np.maximum(count, 1)[:, None])
 
 
 def flock_step(
@@ -88,8 +97,8 @@ def flock_step(
     """State of a flock after one step of semi-implicit Euler (slide 1).
 
     The acceleration is the weighted sum of separation, alignment and cohesion,
-    shortened to its limit. The new velocity is shortened to the speed limit, and the
-    positions move with it.
+    shortened to its limit. The new velocity is shortened to the speed limit,
+    and the positions move with it.
 
     Parameters
     ----------
@@ -106,8 +115,8 @@ def flock_step(
     Raises
     ------
     ValueError
-        If the step or the radius is not positive, a limit is negative, a position is
-        not finite, or the shapes do not fit.
+        If the step or the radius is not positive, a limit is negative, a
+        position is not finite, or the shapes do not fit.
 
     Notes
     -----
@@ -116,32 +125,38 @@ def flock_step(
         a = w_s separation + w_a alignment + w_c cohesion, shortened to a_max
         v' = v + a dt, shortened to v_max;    p' = p + v' dt
 
-    Separation is in 1/m, alignment in m/s and cohesion in m. The units of the weights
-    turn each of them into an acceleration.
+    Separation is in 1/m, alignment in m/s and cohesion in m. The units of the
+    weights turn each of them into an acceleration.
     """
-    p, v, dt = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float), float(positive("dt", dt))
+    p, v, dt = (
+        np.asarray(position, dtype=float),
+        np.asarray(velocity, dtype=float),
+        float(positive("dt", dt)),
+    )
     max_speed = float(not_negative("max_speed", max_speed))
-    max_acceleration = float(not_negative("max_acceleration", max_acceleration))
+    max_acceleration = float(
+        not_negative("max_acceleration", max_acceleration)
+    )
     if v.shape != p.shape:
-        raise ValueError(f"velocity must have the shape {p.shape} of the positions, not {v.shape}")
+        raise ValueError(
+            f"velocity must have the shape {p.shape} of the positions,"
+            f" not {v.shape}"
+        )
     pairs = neighbour_pairs(p, radius)
     apart, along, together = weights
-    wanted = apart * separation(p, *pairs) + along * alignment(v, *pairs) + together * cohesion(p, *pairs)
+    wanted = (
+        apart * separation(p, *pairs)
+        + along * towards_mean(v, *pairs)
+        + together * towards_mean(p, *pairs)
+    )
     v = limited(v + limited(wanted, max_acceleration) * dt, max_speed)
     return p + v * dt, v
 
 
-def _to_the_mean(value: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """Mean difference to the neighbours.
-
-    It equals their mean minus the own value, but stays exact far from the origin.
-    """
-    x, i, j = np.asarray(value, dtype=float), np.asarray(first), np.asarray(second)
-    towards = x[j] - x[i]
-    count = np.bincount(i, minlength=len(x)) + np.bincount(j, minlength=len(x))
-    return np.asarray(_sum_over_neighbours(len(x), i, j, towards, -towards) / np.maximum(count, 1)[:, None])
-
-
-def _sum_over_neighbours(n: int, i: Array, j: Array, on_i: Array, on_j: Array) -> Array:
+def _sum_over_neighbours(
+    n: int, i: Array, j: Array, on_i: Array, on_j: Array
+) -> Array:
     axes = zip(on_i.T, on_j.T, strict=True)
-    return np.stack([np.bincount(i, a, n) + np.bincount(j, b, n) for a, b in axes], axis=-1)
+    return np.stack(
+        [np.bincount(i, a, n) + np.bincount(j, b, n) for a, b in axes], axis=-1
+    )

@@ -1,10 +1,10 @@
 """The velocity nearest to a wish that half-planes and a speed limit permit.
 
-This goes beyond slide 1. It is the programme of the library RVO2 (van den Berg, Guy,
-Snape, Lin and Manocha), for many bodies at once. The half-planes are taken one after
-the other, in the order given. Where one of them is broken, the new velocity is looked
-for on its border. In the private functions a half-plane is n·v ≥ b, with its unit
-normal n and b = n·point.
+This goes beyond slide 1. It is the programme of the library RVO2 (van den
+Berg, Guy, Snape, Lin and Manocha), for many bodies at once. The half-planes
+are taken one after the other, in the order given. Where one of them is broken,
+the new velocity is looked for on its border. In the private functions a
+half-plane is n·v ≥ b, with its unit normal n and b = n·point.
 """
 
 from __future__ import annotations
@@ -15,7 +15,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.avoidance.directions import in_plane, limited, turned_left, unit_or_zero
+from solutions.avoidance.directions import (
+    in_plane,
+    limited,
+    turned_left,
+    unit_or_zero,
+)
 from solutions.checks import UNIT_TOLERANCE, not_negative
 from solutions.scaling import root_of_difference
 
@@ -32,10 +37,12 @@ def permitted_velocity(
     point: ArrayLike,
     normal: ArrayLike,
 ) -> Array:
-    """Velocity nearest to the preferred one that all limits permit (beyond slide 1).
+    """Velocity nearest to the preferred one that all limits permit.
 
-    The limits are the largest speed and the half-planes. A half-plane permits the
-    velocities on the side of its border to which its normal points.
+    This goes beyond slide 1.
+
+    The limits are the largest speed and the half-planes. A half-plane permits
+    the velocities on the side of its border to which its normal points.
 
     Parameters
     ----------
@@ -47,15 +54,16 @@ def permitted_velocity(
     Returns
     -------
     (..., 2), m/s
-        Where no velocity keeps to all half-planes, it keeps to the speed limit, and its
-        worst violation of a half-plane is as small as possible. Borders that enclose an
-        angle whose sine is below 1e-12 count as parallel.
+        Where no velocity keeps to all half-planes, it keeps to the speed
+        limit, and its worst violation of a half-plane is as small as possible.
+        Borders that enclose an angle whose sine is below 1e-12 count as
+        parallel.
 
     Raises
     ------
     ValueError
-        If a speed is negative, a normal has neither length 1 nor length 0, or a vector
-        is not finite or does not have two components.
+        If a speed is negative, a normal has neither length 1 nor length 0, or
+        a vector is not finite or does not have two components.
 
     Notes
     -----
@@ -64,31 +72,41 @@ def permitted_velocity(
         minimise ‖v − v_preferred‖
         with (v − point_k)·n_k ≥ 0 for all k, and ‖v‖ ≤ v_max
 
-    It starts with the preferred velocity, shortened to v_max, and takes the half-planes
-    one after the other. If the velocity so far keeps to the next half-plane, it remains
-    the nearest. If it does not, the nearest permitted velocity lies on the border of
-    this half-plane: any permitted velocity beyond the border can be moved towards the
-    velocity so far until it reaches the border, and on this way it comes nearer to the
-    preferred velocity. The border is a line. The speed limit and the earlier
-    half-planes leave a stretch of it, and the function takes the point of this stretch
-    that is nearest to the preferred velocity.
+    It starts with the preferred velocity, shortened to v_max, and takes the
+    half-planes one after the other. If the velocity so far keeps to the next
+    half-plane, it remains the nearest. If it does not, the nearest permitted
+    velocity lies on the border of this half-plane: any permitted velocity
+    beyond the border can be moved towards the velocity so far until it reaches
+    the border, and on this way it comes nearer to the preferred velocity. The
+    border is a line. The speed limit and the earlier half-planes leave a
+    stretch of it, and the function takes the point of this stretch that is
+    nearest to the preferred velocity.
 
-    If nothing is left of the line, no velocity keeps to all half-planes. The function
-    then minimises the worst violation, again with one half-plane after the other.
+    If nothing is left of the line, no velocity keeps to all half-planes. The
+    function then minimises the worst violation, again with one half-plane
+    after the other.
     """
     n, speed = _normals(normal), not_negative("max_speed", max_speed)
     bound = np.sum(n * in_plane("point", point), axis=-1)
     wish = in_plane("preferred", preferred)
-    shape, m = np.broadcast_shapes(wish.shape[:-1], speed.shape, bound.shape[:-1]), bound.shape[-1]
+    shape, m = (
+        np.broadcast_shapes(wish.shape[:-1], speed.shape, bound.shape[:-1]),
+        bound.shape[-1],
+    )
     rows = math.prod(shape)
-    wish, speed = np.broadcast_to(wish, (*shape, 2)).reshape(rows, 2), np.broadcast_to(speed, shape).reshape(rows)
+    wish, speed = (
+        np.broadcast_to(wish, (*shape, 2)).reshape(rows, 2),
+        np.broadcast_to(speed, shape).reshape(rows),
+    )
     n, bound = (
         np.broadcast_to(n, (*shape, m, 2)).reshape(rows, m, 2),
         np.broadcast_to(bound, (*shape, m)).reshape(rows, m),
     )
     v, failed = _nearest(wish, speed, n, bound)
     lost = np.flatnonzero(failed < m)
-    v[lost] = _least_broken(v[lost], speed[lost], n[lost], bound[lost], failed[lost])
+    v[lost] = _least_broken(
+        v[lost], speed[lost], n[lost], bound[lost], failed[lost]
+    )
     return v.reshape(*shape, 2)
 
 
@@ -97,65 +115,83 @@ def _normals(normal: ArrayLike) -> Array:
     length = np.linalg.norm(n, axis=-1)
     wrong = (np.abs(length - 1) > UNIT_TOLERANCE) & (length != 0)
     if np.any(wrong):
-        raise ValueError(f"normal must have length 1 or 0, not {length[wrong][0]:g}")
+        raise ValueError(
+            f"normal must have length 1 or 0, not {length[wrong][0]:g}"
+        )
     return n
 
 
-def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool = False) -> tuple[Array, Integers]:
-    """Velocity nearest to the wish, and the first half-plane that cannot be kept.
+def _nearest(
+    wish: Array, speed: Array, normal: Array, bound: Array, far: bool = False
+) -> tuple[Array, Integers]:
+    """Velocity nearest to the wish, and the first half-plane it must break.
 
-    That half-plane, k of m, cannot be kept together with those before it; the index is
-    m if all can be kept. If `far` is true, the wish is a direction, and the velocity
-    goes as far along it as the limits permit.
+    That half-plane, k of m, cannot be kept together with those before it; the
+    index is m if all can be kept. If `far` is true, the wish is a direction,
+    and the velocity goes as far along it as the limits permit.
     """
     m = normal.shape[1]
     v = wish * speed[:, None] if far else limited(wish, speed)
     failed = np.full(len(wish), m)
     for k in range(m):
-        broken = np.flatnonzero((np.sum(normal[:, k] * v, axis=-1) < bound[:, k]) & (failed == m))
+        broken = np.flatnonzero(
+            (np.sum(normal[:, k] * v, axis=-1) < bound[:, k]) & (failed == m)
+        )
         if len(broken) == 0:
             continue
         along = turned_left(normal[broken, k])
-        low, high = _stretch(normal[broken], bound[broken], speed[broken], along, k)
+        low, high = _stretch(
+            normal[broken], bound[broken], speed[broken], along, k
+        )
         goal = np.sum(wish[broken] * along, axis=-1)
         place = np.clip(np.copysign(np.inf, goal) if far else goal, low, high)
         kept = low <= high
         rows, along, place = broken[kept], along[kept], place[kept]
-        v[rows] = normal[rows, k] * bound[rows, k, None] + along * place[:, None]
+        v[rows] = (
+            normal[rows, k] * bound[rows, k, None] + along * place[:, None]
+        )
         failed[broken[~kept]] = k
     return v, failed
 
 
-def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) -> tuple[Array, Array]:
-    """Part of the border of half-plane k that the other limits leave, from low to high.
+def _stretch(
+    normal: Array, bound: Array, speed: Array, along: Array, k: int
+) -> tuple[Array, Array]:
+    """Part of the border of half-plane k that the other limits leave.
 
-    These limits are the speed limit and the half-planes before k. The points of the
-    border are n_k b_k + t along, so t is measured from the foot of the border.
-    Half-plane j requires t (n_j·along) ≥ b_j − b_k n_j·n_k.
+    These limits are the speed limit and the half-planes before k. The points
+    of the border are n_k b_k + t along, so t is measured from the foot of the
+    border. Half-plane j requires t (n_j·along) ≥ b_j − b_k n_j·n_k.
     """
     before, b = normal[:, :k], bound[:, k, None]
     slope = np.sum(before * along[:, None], axis=-1)
     asked = bound[:, :k] - b * np.sum(before * normal[:, k, None], axis=-1)
     parallel = np.abs(slope) <= PARALLEL
     place = asked / np.where(parallel, 1.0, slope)
-    room = root_of_difference(np.zeros(()), bound[:, k] - speed, bound[:, k] + speed)  # √(speed² − b²)
-    half = np.fmax(room, -np.inf)  # there is no room, NaN, on a border beyond the speed limit
+    own = bound[:, k]
+    room = root_of_difference(np.zeros(()), own - speed, own + speed)
+    # The room is √(speed² − b²). Beyond the speed limit there is none: NaN.
+    half = np.fmax(room, -np.inf)
     low = np.max(place, axis=-1, where=slope > PARALLEL, initial=-np.inf)
     high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
-    # A parallel border counts only if it lies beyond this one by more than rounding. A
-    # half-plane that is given twice must not exclude itself.
+    # A parallel border counts only if it lies beyond this one by more than
+    # rounding. A half-plane that is given twice must not exclude itself.
     too_far = parallel & (asked > PARALLEL * (speed[:, None] + np.abs(b)))
-    return np.maximum(low, -half), np.where(np.any(too_far, axis=-1), -np.inf, np.minimum(high, half))
+    return np.maximum(low, -half), np.where(
+        np.any(too_far, axis=-1), -np.inf, np.minimum(high, half)
+    )
 
 
-def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: Integers) -> Array:
+def _least_broken(
+    v: Array, speed: Array, normal: Array, bound: Array, failed: Integers
+) -> Array:
     """Velocity whose worst violation b_k − n_k·v is as small as possible.
 
-    It starts from a velocity that keeps to all half-planes before `failed`, and takes
-    half-plane k in turn. Where k is broken worse than any before it, the velocity goes
-    as far along the normal of k as it can while k remains the worst. The condition that
-    j is not broken worse than k, b_j − n_j·v ≤ b_k − n_k·v, is a half-plane too: its
-    normal is n_j − n_k.
+    It starts from a velocity that keeps to all half-planes before `failed`,
+    and takes half-plane k in turn. Where k is broken worse than any before it,
+    the velocity goes as far along the normal of k as it can while k remains
+    the worst. The condition that j is not broken worse than k, b_j − n_j·v ≤
+    b_k − n_k·v, is a half-plane too: its normal is n_j − n_k.
     """
     worst = np.zeros(len(v))
     for k in range(normal.shape[1]):
@@ -164,9 +200,18 @@ def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: I
         difference = normal[rows, :k] - normal[rows, k, None]
         size = np.linalg.norm(difference, axis=-1)
         same = size <= PARALLEL
-        bounds = np.where(same, 0.0, (bound[rows, :k] - bound[rows, k, None]) / np.where(same, 1.0, size))
+        bounds = np.where(
+            same,
+            0.0,
+            (bound[rows, :k] - bound[rows, k, None])
+            / np.where(same, 1.0, size),
+        )
         normals = np.where(same[..., None], 0.0, unit_or_zero(difference))
-        found, stuck = _nearest(normal[rows, k], speed[rows], normals, bounds, far=True)
+        found, stuck = _nearest(
+            normal[rows, k], speed[rows], normals, bounds, far=True
+        )
         v[rows] = np.where((stuck == k)[:, None], found, v[rows])
-        worst[rows] = bound[rows, k] - np.sum(normal[rows, k] * v[rows], axis=-1)
+        worst[rows] = bound[rows, k] - np.sum(
+            normal[rows, k] * v[rows], axis=-1
+        )
     return v

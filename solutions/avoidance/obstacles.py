@@ -17,13 +17,40 @@ Without this threshold rounding would choose the side.
 """
 
 
+def side_of(towards: ArrayLike, *wishes: ArrayLike) -> Array:
+    """Side on which to pass what lies straight ahead (slide 1).
+
+    Parameters
+    ----------
+    towards : (..., 3), unit, the direction of what lies ahead; zero at its
+    centre wishes : (..., 3) each, of any length, such as headings
+        The first wish counts that has a part across `towards`.
+
+    Returns
+    -------
+    (..., 3), unit, at right angles to `towards`
+        The direction of that part. A wish names no side if it is zero, or if
+        its part across is at most 1e-9 of it, head-on or straight away:
+        otherwise rounding would choose. If no wish names a side, it is the
+        left as seen from above, or +x where `towards` is vertical or zero.
+    """
+    ahead = np.asarray(towards, dtype=float)
+    side = to_the_left(ahead)
+    for wish in reversed([np.asarray(each, dtype=float) for each in wishes]):
+        # Twice, because the first time leaves the rounding of a long wish.
+        across = _across(_across(wish, ahead), ahead)
+        named = length_of(across) > HEAD_ON * length_of(wish)
+        side = np.where(named[..., None], unit_or_zero(across), side)
+    return side
+
+
 def tangent_point(
     position: ArrayLike,
     heading: ArrayLike,
     centre: ArrayLike,
     radius: ArrayLike,
 ) -> Array:
-    """Point where a line from the position touches a bounding sphere (slide 1).
+    """Point where a line from a position touches a bounding sphere (slide 1).
 
     Of all such points, it is the one on the side of the heading.
 
@@ -37,47 +64,52 @@ def tangent_point(
     Returns
     -------
     (..., 3), m
-        The heading names no side if it is zero, or if its part across the line is at
-        most 1e-9 of it: head-on, or straight away. The point then lies to the left as
-        seen from above, or towards +x if the centre is straight above or below. From a
-        position inside the sphere there is no tangent. The result is then the nearest
-        point of the surface, and for a position exactly at the centre the top of the
-        sphere.
+        `side_of` says on which side it lies, also where the heading names
+        none. From a position inside the sphere there is no tangent. The result
+        is then the nearest point of the surface, and for a position exactly at
+        the centre the top of the sphere: the point with the largest z.
 
     Raises
     ------
     ValueError
-        If a radius is not positive, or a vector is not finite or does not have three
-        components.
+        If a radius is not positive, or a vector is not finite or does not have
+        three components.
 
     Notes
     -----
-    Let L be the distance from the position to the centre. The tangent meets the radius
-    at a right angle, so position, centre and tangent point form a right triangle with
-    the longest side L. By Pythagoras the way to the tangent point is
+    Let L be the distance from the position to the centre. The tangent meets
+    the radius at a right angle, so position, centre and tangent point form a
+    right triangle with the longest side L. By Pythagoras the way to the
+    tangent point is
 
         k = √(L² − r²)
 
-    Drop the perpendicular from the tangent point onto the line to the centre. It
-    divides the triangle into two triangles of the same shape as the whole. From them,
-    the tangent point lies
+    Drop the perpendicular from the tangent point onto the line to the centre.
+    It divides the triangle into two triangles of the same shape as the whole.
+    From them, the tangent point lies
 
         t = r²/L    short of the centre
         s = √(r² − t²)    to the side
 
-    The function computes s as r k/L. That is the same number, but it keeps its digits
-    near the sphere, where r² and t² are nearly equal.
+    The function computes s as r k/L. That is the same number, but it keeps its
+    digits near the sphere, where r² and t² are nearly equal.
     """
-    p, c, r = in_space("position", position), in_space("centre", centre), positive("radius", radius)
+    p, c, r = (
+        in_space("position", position),
+        in_space("centre", centre),
+        positive("radius", radius),
+    )
     towards = unit_or_zero(c - p)
     distance, way = _distance_and_way(c - p, r)
-    outside = distance >= r
-    length = np.where(outside, distance, 1.0)
-    short = np.where(outside, r * (r / length), r)[..., None]
-    aside = np.where(outside, r * (way / length), 0.0)[..., None]
-    side = _side(towards, in_space("heading", heading))
+    longest = np.maximum(distance, r)
+    short, aside = r * (r / longest), r * (way / longest)
+    side = side_of(towards, in_space("heading", heading))
     at_centre = (distance == 0)[..., None]
-    return np.where(at_centre, c + r[..., None] * np.array([0.0, 0.0, 1.0]), c - short * towards + aside * side)
+    return np.where(
+        at_centre,
+        c + r[..., None] * np.array([0.0, 0.0, 1.0]),
+        c - short[..., None] * towards + aside[..., None] * side,
+    )
 
 
 def is_in_the_way(
@@ -86,10 +118,10 @@ def is_in_the_way(
     centre: ArrayLike,
     radius: ArrayLike,
 ) -> NDArray[np.bool_]:
-    """Whether the straight way from a position to a goal enters a sphere (slide 1).
+    """Whether the straight way to a goal enters a sphere (slide 1).
 
-    The way ends at the goal, so a sphere behind the position or beyond the goal is not
-    in the way. Neither is a sphere that the way only touches.
+    The way ends at the goal, so a sphere behind the position or beyond the
+    goal is not in the way. Neither is a sphere that the way only touches.
 
     Parameters
     ----------
@@ -104,24 +136,30 @@ def is_in_the_way(
     Raises
     ------
     ValueError
-        If a radius is not positive, or a vector is not finite or does not have three
-        components.
+        If a radius is not positive, or a vector is not finite or does not have
+        three components.
 
     Notes
     -----
-    The way consists of the points p + λ (g − p) with λ from 0 to 1, from the position p
-    to the goal g. The point of the whole line nearest to the centre c has
+    The way consists of the points p + λ (g − p) with λ from 0 to 1, from the
+    position p to the goal g. The point of the whole line nearest to the centre
+    c has
 
         λ = (c − p)·(g − p)/(g − p)²
 
-    Limited to the range from 0 to 1, it gives the point of the way that is nearest to
-    the centre. The sphere is in the way if this point lies inside it.
+    Limited to the range from 0 to 1, it gives the point of the way that is
+    nearest to the centre. The sphere is in the way if this point lies inside
+    it.
     """
     p, c = in_space("position", position), in_space("centre", centre)
     way = in_space("goal", goal) - p
     ahead, _, metre = in_moderate_units(way)
     squared = np.vecdot(ahead, ahead)
-    share = np.clip(np.vecdot(c - p, ahead) / np.where(squared > 0, squared, 1.0) / metre, 0.0, 1.0)
+    share = np.clip(
+        np.vecdot(c - p, ahead) / np.where(squared > 0, squared, 1.0) / metre,
+        0.0,
+        1.0,
+    )
     nearest = p + share[..., None] * way
     return np.asarray(length_of(nearest - c) < positive("radius", radius))
 
@@ -133,13 +171,13 @@ def steer_around(
     centre: ArrayLike,
     radius: ArrayLike,
 ) -> Array:
-    """Direction to fly: to the goal, or around a sphere that is in the way (slide 1).
+    """Direction to a goal, or around a sphere that is in the way (slide 1).
 
-    If a bounding sphere is in the way, the direction leads to its tangent point. Of the
-    two sides, the body takes the one nearer to its velocity. If the velocity names no
-    side (head-on, or at rest), it takes the side nearer to the goal. If the goal names
-    none either, it takes the left as seen from above, or +x if the centre is straight
-    above or below.
+    If a bounding sphere is in the way, the direction leads to its tangent
+    point. Of the two sides, the body takes the one nearer to its velocity. If
+    the velocity names no side (head-on, or at rest), it takes the side nearer
+    to the goal. If the goal names none either, it takes the left as seen from
+    above, or +x if the centre is straight above or below.
 
     Parameters
     ----------
@@ -150,32 +188,38 @@ def steer_around(
     Returns
     -------
     (..., 3), unit
-        Inside the sphere it points straight out, and exactly at its centre to the goal.
-        At the goal, outside the sphere, it is zero. A goal inside the sphere is never
-        reached: the flier circles it.
+        Inside the sphere it points straight out, and exactly at its centre to
+        the goal. At the goal, outside the sphere, it is zero. A goal inside
+        the sphere is never reached: the flier circles it.
 
     Raises
     ------
     ValueError
-        If a radius is not positive, or a vector is not finite or does not have three
-        components.
+        If a radius is not positive, or a vector is not finite or does not have
+        three components.
 
     Notes
     -----
-    Position, centre and tangent point form a right triangle with the sides L, r and
-    k = √(L² − r²), as in `tangent_point`. So the angle between the tangent and the line
-    to the centre has the sine r/L and the cosine k/L, and the direction of the tangent
-    is
+    Position, centre and tangent point form a right triangle with the sides L,
+    r and k = √(L² − r²), as in `tangent_point`. So the angle between the
+    tangent and the line to the centre has the sine r/L and the cosine k/L, and
+    the direction of the tangent is
 
         d = (k/L) towards the centre + (r/L) to the side
     """
-    p, c, r = in_space("position", position), in_space("centre", centre), positive("radius", radius)
+    p, c, r = (
+        in_space("position", position),
+        in_space("centre", centre),
+        positive("radius", radius),
+    )
     to_goal = in_space("goal", goal) - p
     straight, towards = unit_or_zero(to_goal), unit_or_zero(c - p)
     distance, way = _distance_and_way(c - p, r)
     length = np.maximum(distance, r)
-    side = _side(towards, in_space("velocity", velocity), to_goal)
-    tangent = (way / length)[..., None] * towards + (r / length)[..., None] * side
+    side = side_of(towards, in_space("velocity", velocity), to_goal)
+    tangent = (way / length)[..., None] * towards + (r / length)[
+        ..., None
+    ] * side
     inside = ((distance < r) & (distance > 0))[..., None]
     turns = (is_in_the_way(p, goal, c, r) & (distance > 0))[..., None]
     return np.where(inside, -towards, np.where(turns, tangent, straight))
@@ -184,27 +228,16 @@ def steer_around(
 def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
     """L and k = √(L² − r²); k is 0 inside the sphere.
 
-    The root is computed from a product, so that no two nearly equal squares are
-    subtracted.
+    The root is computed from a product, so that no two nearly equal squares
+    are subtracted.
     """
     distance = length_of(to_centre)
-    return distance, root_of_product(np.maximum(distance - radius, 0.0), distance + radius)
-
-
-def _side(towards: Array, *wishes: Array) -> Array:
-    """Unit vector across the line to the centre, on the side that a wish names.
-
-    The first wish counts whose part across the line is more than rounding. If no wish
-    names a side, it is the left.
-    """
-    side = to_the_left(towards)
-    for wish in reversed(wishes):
-        # Twice, because the first time leaves the rounding of a long wish.
-        across = _across(_across(wish, towards), towards)
-        named = length_of(across) > HEAD_ON * length_of(wish)
-        side = np.where(named[..., None], unit_or_zero(across), side)
-    return side
+    return distance, root_of_product(
+        np.maximum(distance - radius, 0.0), distance + radius
+    )
 
 
 def _across(vector: Array, direction: Array) -> Array:
-    return np.asarray(vector - np.sum(vector * direction, axis=-1, keepdims=True) * direction)
+    return np.asarray(
+        vector - np.sum(vector * direction, axis=-1, keepdims=True) * direction
+    )

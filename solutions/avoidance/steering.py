@@ -10,8 +10,12 @@ from solutions.avoidance.directions import limited, unit_or_zero
 from solutions.checks import not_negative, positive
 
 
-def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
-    """Velocity wanted by a body that seeks a target: full speed towards it (slide 1).
+def seek(
+    position: ArrayLike, target: ArrayLike, max_speed: ArrayLike
+) -> Array:
+    """Velocity wanted by a body that seeks a target (slide 1).
+
+    It wants to move straight towards the target, at full speed.
 
     Parameters
     ----------
@@ -30,19 +34,25 @@ def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
 
     Notes
     -----
-    The vector target − position points from the body to the target. Divided by its
-    length, it is the direction, so
+    The vector target − position points from the body to the target. Divided by
+    its length, it is the direction, so
 
         v_wanted = v_max (target − position)/‖target − position‖
 
     A widely copied text has position − target. With this sign the body flees.
     """
     speed = not_negative("max_speed", max_speed)
-    return np.asarray(speed[..., None] * unit_or_zero(np.subtract(target, position)))
+    return np.asarray(
+        speed[..., None] * unit_or_zero(np.subtract(target, position))
+    )
 
 
-def flee(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
-    """Velocity wanted by a body that flees from a target: full speed away (slide 1).
+def flee(
+    position: ArrayLike, target: ArrayLike, max_speed: ArrayLike
+) -> Array:
+    """Velocity wanted by a body that flees from a target (slide 1).
+
+    It wants to move straight away from the target, at full speed.
 
     Parameters
     ----------
@@ -70,8 +80,8 @@ def arrive(
 ) -> Array:
     """Velocity wanted by a body that is to stop at a target.
 
-    Outside the slowing radius the body moves towards the target at full speed. Inside,
-    its speed is proportional to the distance that is left.
+    Outside the slowing radius the body moves towards the target at full speed.
+    Inside, its speed is proportional to the distance that is left.
 
     Parameters
     ----------
@@ -95,18 +105,22 @@ def arrive(
 
         v_wanted = v_max min(1, distance/R) towards the target
 
-    Suppose that the body is steered with the response time τ, as in `steering_force`.
-    At the distance x, inside the slowing radius, its acceleration is (v_wanted − v)/τ
-    with v_wanted = −v_max x/R. The body is then an oscillator:
+    Suppose that the body is steered with the response time τ, as in
+    `steering_force`. At the distance x, inside the slowing radius, its
+    acceleration is (v_wanted − v)/τ with v_wanted = −v_max x/R. The body is
+    then an oscillator:
 
         x″ = −(x′ + v_max x/R)/τ
 
-    It stops without overshoot if its damping is at least critical. The characteristic
-    equation τ λ² + λ + v_max/R = 0 has real solutions if R ≥ 4 v_max τ. The force must
-    also be large enough to brake. A body that follows v_wanted loses speed at the rate
-    v_max² x/R², which is largest at x = R, so the condition is F_max ≥ m v_max²/R.
+    It stops without overshoot if its damping is at least critical. The
+    characteristic equation τ λ² + λ + v_max/R = 0 has real solutions if R ≥ 4
+    v_max τ. The force must also be large enough to brake. A body that follows
+    v_wanted loses speed at the rate v_max² x/R², which is largest at x = R, so
+    the condition is F_max ≥ m v_max²/R.
     """
-    rate = not_negative("max_speed", max_speed) / positive("slowing_radius", slowing_radius)
+    rate = not_negative("max_speed", max_speed) / positive(
+        "slowing_radius", slowing_radius
+    )
     return limited(rate[..., None] * np.subtract(target, position), max_speed)
 
 
@@ -119,8 +133,8 @@ def steering_force(
 ) -> Array:
     """Force that changes a velocity into the wanted one (slide 1).
 
-    The force would complete the change within the response time. It is shortened to the
-    largest force that the body is able to exert.
+    The force would complete the change within the response time. It is
+    shortened to the largest force that the body is able to exert.
 
     Parameters
     ----------
@@ -141,15 +155,17 @@ def steering_force(
 
     Notes
     -----
-    To change v into v_wanted within the time τ takes the acceleration (v_wanted − v)/τ.
-    Newton's law gives the force:
+    To change v into v_wanted within the time τ takes the acceleration
+    (v_wanted − v)/τ. Newton's law gives the force:
 
         F = m (v_wanted − v)/τ, shortened to F_max
 
-    Reynolds writes steering = desired − velocity. That is a difference of velocities,
-    although he calls it a force. Only the division by a response time τ makes it one.
-    In his text that time is one frame.
+    Reynolds writes steering = desired − velocity. That is a difference of
+    velocities, although he calls it a force. Only the division by a response
+    time τ makes it one. In his text that time is one frame.
     """
     gain = positive("mass", mass) / positive("response_time", response_time)
     change = np.asarray(np.subtract(wanted, velocity), dtype=float)
-    return limited(gain[..., None] * change, not_negative("max_force", max_force))
+    return limited(
+        gain[..., None] * change, not_negative("max_force", max_force)
+    )

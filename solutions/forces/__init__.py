@@ -15,7 +15,6 @@ from solutions.forces.accumulator import (
     audit_energy,
     evaluate_forces,
     power_by_tag,
-    total_force,
 )
 from solutions.forces.correlations import CORRELATIONS, LARGEST_REYNOLDS, DragRangeWarning, drag_correction
 from solutions.forces.drag import buoyancy, spheroid_drag, stokes_drag
@@ -42,7 +41,8 @@ from solutions.forces.resonance import driven_oscillator, steady_oscillation
 from solutions.forces.reynolds import STOKES_LIMIT, StokesRegimeWarning, check_stokes_regime, reynolds_number
 from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
 from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
-from solutions.forces.stability import stable_step
+from solutions.forces.stability import spring_step_limit, stable_step
+from solutions.forces.total import total_force
 from solutions.forces.walls import parallel_wall_factor, perpendicular_wall_factor, tube_wall_factor
 from solutions.forces.wind import sample_field, wind_force
 
@@ -87,6 +87,7 @@ __all__ = [
     "spring_damper_force",
     "spring_energy",
     "spring_force",
+    "spring_step_limit",
     "stable_step",
     "steady_oscillation",
     "stokes_drag",

@@ -1,6 +1,7 @@
-"""All forces on all bodies, their sum, and an audit of the energy (slides 23 and 30).
+"""Forces of any kind on all bodies by name, and an audit of the energy (slides 23, 30).
 
-The audit says how much energy each force brings in.
+The audit says how much energy each force brings in. The sum of the lab's own forces is
+in `total`.
 """
 
 from __future__ import annotations
@@ -80,32 +81,6 @@ def evaluate_forces(
     return {each.name: np.broadcast_to(np.asarray(each.force(p, v), dtype=float), shape) for each in forces}
 
 
-def total_force(
-    forces: Sequence[Force],
-    position: ArrayLike,
-    velocity: ArrayLike,
-) -> Array:
-    """Sum of all forces on each body (slide 30).
-
-    Parameters
-    ----------
-    forces : each with a name of its own
-    position, velocity : (..., N, 3), m, m/s
-
-    Returns
-    -------
-    (..., N, 3), N
-        It is zero if there are no forces.
-
-    Raises
-    ------
-    ValueError
-        If two forces have the same name.
-    """
-    zero = np.zeros(np.broadcast_shapes(np.shape(position), np.shape(velocity)))
-    return np.asarray(sum(evaluate_forces(forces, position, velocity).values(), start=zero))
-
-
 def acceleration_of(
     forces: Sequence[Force],
     mass: ArrayLike,
@@ -134,10 +109,15 @@ def acceleration_of(
 
         a = F/m
 
-    where F is the sum of all forces on the body.
+    where F is the sum of all forces on the body. It is zero if there are no forces.
     """
     m = positive("mass", mass)[..., None]
-    return lambda position, velocity: np.asarray(total_force(forces, position, velocity) / m)
+
+    def acceleration(position: Array, velocity: Array) -> Array:
+        zero = np.zeros(np.broadcast_shapes(np.shape(position), np.shape(velocity)))
+        return np.asarray(sum(evaluate_forces(forces, position, velocity).values(), start=zero) / m)
+
+    return acceleration
 
 
 def power_by_tag(

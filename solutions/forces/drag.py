@@ -7,61 +7,52 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, unit, vector
-from solutions.forces.reynolds import check_stokes_regime, reynolds_number
 
 
 def stokes_drag(
     velocity: ArrayLike,
     fluid_velocity: ArrayLike,
     viscosity: ArrayLike,
-    shape_factor: ArrayLike,
-    fluid_density: ArrayLike = 0.0,
+    radius: ArrayLike,
 ) -> Array:
-    """Drag of a thick fluid on a body that moves slowly through it (slide 26).
+    """Drag of a thick fluid on a ball that moves slowly through it (slide 26).
 
-    The drag is proportional to the velocity of the body relative to the fluid. This
-    holds only for a Reynolds number far below 1.
+    The drag is proportional to the velocity of the ball relative to the fluid.
+    This holds only for a Reynolds number far below 1, see `reynolds_number`.
 
     Parameters
     ----------
-    velocity : (..., 3), v, of the body, m/s
+    velocity : (..., 3), v, of the ball, m/s
     fluid_velocity : (..., 3), u, of the fluid, m/s
     viscosity : (...), η, Pa s, not negative
-    shape_factor : (...), K, m, not negative; 6πr for a sphere
-    fluid_density : (...), kg/m³, not negative
-        Where it is given, the function checks the Reynolds number of the sphere with
-        the same K.
+    radius : (...), r, of the ball, m, not negative
 
     Returns
     -------
-    (..., 3), N
+    (..., 3), on the ball, N
+        A ball that drifts along with the fluid feels no force.
 
     Raises
     ------
     ValueError
-        If viscosity, shape_factor or fluid_density is negative, a velocity does not
-        have three components, or fluid_density is given and viscosity is zero.
-
-    Warns
-    -----
-    StokesRegimeWarning
-        Where that Reynolds number is above `STOKES_LIMIT`.
+        If viscosity or radius is negative, or a velocity does not have three
+        components.
 
     Notes
     -----
     The drag is
 
-        F = −K η (v − u)
+        F = −6πr η (v − u)
 
-    The slide writes −K n v. Its n is the viscosity η. Its v must be the velocity
-    relative to the fluid, v − u; otherwise a body that drifts along with a river would
-    be braked.
+    The slide writes −K n v, with K = 6πr for a sphere. Its n is the viscosity
+    η. Its v must be the velocity relative to the fluid, v − u; otherwise a
+    ball that drifts along with a river would be braked. `sphere_shape_factor`
+    has the K of a sphere, and `spheroid_drag` the drag of longer and flatter
+    bodies.
     """
     relative = vector("velocity", velocity) - vector("fluid_velocity", fluid_velocity)
-    k, eta = not_negative("shape_factor", shape_factor), not_negative("viscosity", viscosity)
-    if np.any(np.asarray(fluid_density) != 0):
-        check_stokes_regime(reynolds_number(velocity, fluid_velocity, k / (6 * np.pi), fluid_density, eta))
-    return np.asarray(-(k * eta)[..., None] * relative)
+    size = 6 * np.pi * not_negative("radius", radius) * not_negative("viscosity", viscosity)
+    return np.asarray(-size[..., None] * relative)
 
 
 def spheroid_drag(

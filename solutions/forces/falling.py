@@ -56,7 +56,9 @@ def terminal_velocity(
     viscosity: ArrayLike,
     gravity: ArrayLike,
 ) -> Array:
-    """Velocity at which a sphere falls steadily through a fluid at rest (slide 26).
+    """Velocity of a sphere that falls steadily through a fluid (slide 26).
+
+    The fluid is at rest.
 
     Parameters
     ----------
@@ -69,14 +71,14 @@ def terminal_velocity(
     Returns
     -------
     (..., 3), m/s, relative to the fluid
-        It is along gravity for a sphere that is denser than the fluid, and against
-        gravity for a lighter one: a bubble rises.
+        It is along gravity for a sphere that is denser than the fluid, and
+        against gravity for a lighter one: a bubble rises.
 
     Raises
     ------
     ValueError
-        If radius or viscosity is not positive, a density is negative, or gravity does
-        not have three components.
+        If radius or viscosity is not positive, a density is negative, or
+        gravity does not have three components.
 
     Warns
     -----
@@ -86,9 +88,9 @@ def terminal_velocity(
 
     Notes
     -----
-    In a steady fall the forces are in balance. The slide sets m g = 6πr η v, the weight
-    equal to the drag, and forgets the buoyancy. With it, the weight of the sphere less
-    that of the displaced fluid equals the drag:
+    In a steady fall the forces are in balance. The slide sets m g = 6πr η v,
+    the weight equal to the drag, and forgets the buoyancy. With it, the weight
+    of the sphere less that of the displaced fluid equals the drag:
 
         (4/3) πr³ (ρ_s − ρ_f) g = 6πr η v_t
 

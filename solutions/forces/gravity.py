@@ -30,12 +30,13 @@ def uniform_gravity(mass: ArrayLike, gravity: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If mass is negative or not finite, or gravity does not have three components.
+        If mass is negative or not finite, or gravity does not have three
+        components.
 
     Notes
     -----
-    A body falls freely with the acceleration g. By Newton's second law the force that
-    does this is
+    A body falls freely with the acceleration g. By Newton's second law the
+    force that does this is
 
         F = m g
     """
@@ -91,26 +92,29 @@ def universal_gravity(
     ----------
     mass_1, mass_2 : (...), m1 and m2, kg, not negative and finite
     position_1, position_2 : (..., 3), x1 and x2, m
-    softening : (...), ε, m, not negative; with 0 the bodies are points
+    softening : (...), ε, m, not negative
+        At the distance d the energy of the two bodies is −G m1 m2/√(d² + ε²),
+        which keeps the force finite when they come close. With 0 they are
+        points.
 
     Returns
     -------
     (..., 3), on body 1, N
-        Bodies at the same place pull in no direction. The force is then zero, with and
-        without softening.
+        Bodies at the same place pull in no direction. The force is then zero,
+        with and without softening.
 
     Raises
     ------
     ValueError
-        If a mass is negative or not finite, softening is negative, or a position does
-        not have three components.
+        If a mass is negative or not finite, softening is negative, or a
+        position does not have three components.
 
     Notes
     -----
-    The slide gives the size of the force, G m1 m2/r². The force on body 1 points to
-    body 2, which is the direction of d = x2 − x1, and d/‖d‖³ has both this direction
-    and the size 1/r². A softening length ε keeps the force finite when the bodies come
-    close:
+    The slide gives the size of the force, G m1 m2/r². The force on body 1
+    points to body 2, which is the direction of d = x2 − x1, and d/‖d‖³ has
+    both this direction and the size 1/r². With a softening length ε the size
+    is the slope of the energy, which is that of `universal_gravity_energy`:
 
         F = G m1 m2 d/(‖d‖² + ε²)^(3/2),    d = x2 − x1
     """

@@ -50,24 +50,26 @@ def ballistic_motion(
 
 
 def explicit_euler(
-    position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: Acceleration,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
     """State after one step of explicit Euler.
 
-    Everything is taken as it was at the start of the step: the old velocity moves the
-    position, and the old acceleration changes the velocity. The method is of first
-    order.
+    Everything is taken as it was at the start of the step. The method is of
+    first order.
 
     Parameters
     ----------
     position : (..., 3), p, m
     velocity : (..., 3), v, m/s
-    acceleration : (..., 3), a, m/s², or a function of position and velocity
+    acceleration : (..., 3), a, at the start of the step, m/s²
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each, m, m/s
+    position, velocity : (..., 3) each, at the end of the step, m, m/s
 
     Notes
     -----
@@ -75,22 +77,28 @@ def explicit_euler(
 
         p' = p + v dt,    v' = v + a dt
 
-    An undamped spring gains energy in every step, however short. With a = −ω² p, put
-    the step into the energy: ω² p'² + v'² is (1 + ω² dt²) times ω² p² + v², because the
-    mixed terms cancel.
+    Like the integrators that need it at other places as well, this one also
+    takes the acceleration as a function of position and velocity.
+
+    An undamped spring gains energy in every step, however short. With a = −ω²
+    p, put the step into the energy: ω² p'² + v'² is (1 + ω² dt²) times ω² p² +
+    v², because the mixed terms cancel.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
     return p + v * time, v + a * time
 
 
 def semi_implicit_euler(
-    position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: Acceleration,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
     """State after one step of semi-implicit Euler.
 
-    Most engines use this integrator. The acceleration at the start of the step first
-    changes the velocity. The new velocity then moves the position. The method is of
-    first order and symplectic.
+    Most engines use this integrator. The acceleration at the start of the step
+    first changes the velocity. The new velocity then moves the position. The
+    method is of first order and symplectic.
 
     Parameters
     ----------
@@ -109,9 +117,10 @@ def semi_implicit_euler(
 
         v' = v + a dt,    p' = p + v' dt
 
-    The energy of an undamped spring swings about a constant and does not drift. With
-    a = −ω² p, each step leaves ω² p² + v² − ω² p·v dt exactly as it was, and this
-    differs from twice the energy of a unit mass only by a term that swings.
+    The energy of an undamped spring swings about a constant and does not
+    drift. With a = −ω² p, each step leaves ω² p² + v² − ω² p·v dt exactly as
+    it was, and this differs from twice the energy of a unit mass only by a
+    term that swings.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
     after = v + a * time
@@ -261,16 +270,26 @@ def _jacobian(change: Callable[[Array], Array], velocity: Array) -> Array:
     return np.asarray(np.eye(size) - np.stack(columns, axis=-1))
 
 
-def _at(acceleration: Acceleration, position: Array, velocity: Array) -> Array:
-    return np.asarray(acceleration(position, velocity) if callable(acceleration) else acceleration, dtype=float)
+def _at(
+    acceleration: Acceleration,
+    position: Array,
+    velocity: Array,
+) -> Array:
+    if callable(acceleration):
+        return np.asarray(acceleration(position, velocity), dtype=float)
+    return np.asarray(acceleration, dtype=float)
 
 
 def _state(
-    position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: Acceleration,
+    dt: ArrayLike,
 ) -> tuple[Array, Array, Array, Array]:
     """Position, velocity, their acceleration, and the time step.
 
     The time step has an axis for the components.
     """
     p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
-    return p, v, _at(acceleration, p, v), np.asarray(dt, dtype=float)[..., None]
+    time = np.asarray(dt, dtype=float)[..., None]
+    return p, v, _at(acceleration, p, v), time

@@ -46,18 +46,20 @@ def reynolds_number(
     Raises
     ------
     ValueError
-        If viscosity is not positive, radius or fluid_density is negative, or a velocity
-        does not have three components.
+        If viscosity is not positive, radius or fluid_density is negative, or a
+        velocity does not have three components.
 
     Notes
     -----
-    The Reynolds number of a sphere is taken with its diameter 2 r and with its speed
-    relative to the fluid:
+    The Reynolds number of a sphere is taken with its diameter 2 r and with its
+    speed relative to the fluid:
 
         Re = 2 r ρ_f ‖v − u‖/η
     """
-    speed = length_of(vector("velocity", velocity) - vector("fluid_velocity", fluid_velocity))
-    rho, r = not_negative("fluid_density", fluid_density), not_negative("radius", radius)
+    u = vector("fluid_velocity", fluid_velocity)
+    speed = length_of(vector("velocity", velocity) - u)
+    r = not_negative("radius", radius)
+    rho = not_negative("fluid_density", fluid_density)
     return np.asarray(2 * r * rho * speed / positive("viscosity", viscosity))
 
 

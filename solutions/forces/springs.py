@@ -167,8 +167,8 @@ def spring_damper_force(
     Raises
     ------
     ValueError
-        If stiffness, rest_length or damping is negative, or a vector does not have
-        three components.
+        If stiffness, rest_length or damping is negative, or a vector does not
+        have three components.
 
     Notes
     -----
@@ -177,8 +177,8 @@ def spring_damper_force(
 
         F = −k (L − L0) u − k_d ((v1 − v2)·u) u
 
-    The slide writes (x' − x_rest) k − v k_d with the current position x'. Its spring
-    has the wrong sign, and the motion runs away whatever the damping.
+    The slide writes (x' − x_rest) k − v k_d with the current position x'. Its
+    spring has the wrong sign, and the motion runs away whatever the damping.
     """
     spring = spring_force(position_1, position_2, stiffness, rest_length)
     return np.asarray(spring + damper_force(position_1, position_2, velocity_1, velocity_2, damping))

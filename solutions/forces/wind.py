@@ -83,7 +83,8 @@ def wind_force(
     wind : (..., 3), w, velocity of the wind, m/s
     area : (...), A, of the body as seen along the wind, m², not negative
     drag_coefficient : (...), C_D, not negative
-        It is about 0.47 for a ball, and 24/Re in a thick fluid, which is Stokes' drag.
+        It is about 0.47 for a ball, and 24/Re in a thick fluid, which is
+        Stokes' drag.
     density : (...), ρ, of the air, kg/m³, not negative
 
     Returns
@@ -94,21 +95,21 @@ def wind_force(
     Raises
     ------
     ValueError
-        If area, drag_coefficient or density is negative, or a velocity does not have
-        three components.
+        If area, drag_coefficient or density is negative, or a velocity does
+        not have three components.
 
     Notes
     -----
-    Air that the body brings to rest exerts the pressure ½ ρ ‖v − w‖² on it. The
-    pressure times the area is a force, and the drag coefficient is the share of this
-    force that a body of this shape feels. The force is against the velocity relative to
-    the air:
+    Air that the body brings to rest exerts the pressure ½ ρ ‖v − w‖² on it.
+    The pressure times the area is a force, and the drag coefficient is the
+    share of this force that a body of this shape feels. The force is against
+    the velocity relative to the air:
 
         F = −½ ρ C_D A ‖v − w‖ (v − w)
 
-    The slide counts wind among the forces that depend on the position. The field is
-    sampled at the position, but its effect depends on the velocity v − w relative to
-    the air.
+    The slide counts wind among the forces that depend on the position. The
+    field is sampled at the position, but its effect depends on the velocity v
+    − w relative to the air.
     """
     relative = vector("velocity", velocity) - vector("wind", wind)
     size = not_negative("density", density) * not_negative("drag_coefficient", drag_coefficient)

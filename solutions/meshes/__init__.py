@@ -1,14 +1,34 @@
-"""Spring meshes: what makes them up, how they move, where they rest (slide 28)."""
+"""Spring meshes: their parts, their motion, their rest (slide 28)."""
 
+from solutions.meshes.bracing import diagonals
 from solutions.meshes.conjugate_gradients import conjugate_gradient
 from solutions.meshes.contact import mesh_plane_contact, mesh_sphere_contact
 from solutions.meshes.grids import cloth, lattice
-from solutions.meshes.matrices import edge_damping, edge_stiffness, mesh_matrix, mesh_product
+from solutions.meshes.matrices import (
+    edge_damping,
+    edge_stiffness,
+    mesh_matrix,
+    mesh_product,
+)
 from solutions.meshes.mesh import SpringMesh, pin, spring_mesh
 from solutions.meshes.shape import limit_strain, static_shape
-from solutions.meshes.springs import edge_directions, edge_strain, mesh_energy, mesh_forces
-from solutions.meshes.stability import largest_eigenvalue, stable_timestep, timestep_bound, zero_energy_modes
-from solutions.meshes.steps import amplitude_kept, implicit_mesh_step, mesh_step
+from solutions.meshes.springs import (
+    edge_directions,
+    edge_strain,
+    mesh_energy,
+    mesh_forces,
+)
+from solutions.meshes.stability import (
+    largest_eigenvalue,
+    stable_timestep,
+    timestep_bound,
+    zero_energy_modes,
+)
+from solutions.meshes.steps import (
+    amplitude_kept,
+    implicit_mesh_step,
+    mesh_step,
+)
 from solutions.meshes.surface import bend_edges, surface_edges
 
 __all__ = [
@@ -17,6 +37,7 @@ __all__ = [
     "bend_edges",
     "cloth",
     "conjugate_gradient",
+    "diagonals",
     "edge_damping",
     "edge_directions",
     "edge_stiffness",

@@ -26,8 +26,8 @@ def conjugate_gradient(
 ) -> Array:
     """Solution x of (M + B) x = r for the free nodes, by conjugate gradients.
 
-    M holds the masses of the nodes, and B is the matrix of the mesh with the given
-    blocks. M + B must be positive definite: use clamped blocks.
+    M holds the masses of the nodes, and B is the matrix of the mesh with the
+    given blocks. M + B must be positive definite: use clamped blocks.
 
     Parameters
     ----------
@@ -35,10 +35,12 @@ def conjugate_gradient(
     right : (..., n, 3), r
         The values at pinned nodes have no influence.
     tolerance : largest residual of any node
-        It is measured relative to the mass of that node times the largest x of all
-        nodes. So a light node is solved as well as the heavy ones beside it.
+        It is measured relative to the mass of that node times the largest x of
+        all nodes. So a light node is solved as well as the heavy ones beside
+        it.
     iterations : largest number of rounds
-        The default is ten times the number of unknowns, as rounding costs some rounds.
+        The default is ten times the number of unknowns, as rounding costs some
+        rounds.
 
     Returns
     -------
@@ -50,58 +52,81 @@ def conjugate_gradient(
     RuntimeError
         If a residual is still too large after the last round.
     ValueError
-        If the right side does not fit the mesh, or is not finite at a free node: no
-        residual would reveal that.
+        If the right side does not fit the mesh, or is not finite at a free
+        node: no residual would reveal that.
 
     Notes
     -----
-    Every round moves x along a direction d that is conjugate to the directions d' of
-    all earlier rounds,
+    Every round moves x along a direction d that is conjugate to the directions
+    d' of all earlier rounds,
 
         dᵀ(M + B) d' = 0
 
-    and it moves x until the residual has no part along d. A conjugate direction does
-    not undo what the earlier rounds have achieved. So n unknowns need at most n rounds,
-    except for rounding.
+    and it moves x until the residual has no part along d. A conjugate
+    direction does not undo what the earlier rounds have achieved. So n
+    unknowns need at most n rounds, except for rounding.
 
-    Each direction starts from P s, where s is the residual, and P holds the inverse of
-    every node's own 3 × 3 block of M + B. P s says how far each node would go if its
-    neighbours stayed where they are. The residual itself would be a poor start beside
-    heavy nodes: theirs are large for no other reason than their mass.
+    Each direction starts from P s, where s is the residual, and P holds the
+    inverse of every node's own 3 × 3 block of M + B. P s says how far each
+    node would go if its neighbours stayed where they are. The residual itself
+    would be a poor start beside heavy nodes: theirs are large for no other
+    reason than their mass.
     """
-    held = finite_vectors(mesh, "right", np.where(mesh.pinned[:, None], 0.0, node_vectors(mesh, "right", right)))
-    *_, unit = in_moderate_units(held.reshape(*held.shape[:-2], 3 * len(mesh.mass)))
+    held = finite_vectors(
+        mesh,
+        "right",
+        np.where(
+            mesh.pinned[:, None], 0.0, node_vectors(mesh, "right", right)
+        ),
+    )
+    *_, unit = in_moderate_units(
+        held.reshape(*held.shape[:-2], 3 * len(mesh.mass))
+    )
     system, given = _System.of(mesh, blocks, in_unit(held, unit, 2))
-    x, residual, direction, square = np.zeros_like(given), given, np.zeros_like(given), np.zeros(())
+    x, residual, direction, square = (
+        np.zeros_like(given),
+        given,
+        np.zeros_like(given),
+        np.zeros(()),
+    )
     for _ in range(30 * len(mesh.mass) if iterations is None else iterations):
         towards = system.alone(residual)
         going = system.worst(residual, x + towards) > tolerance
         if not np.any(going):
             break
-        before, square = square, np.where(going, _dot(residual, towards), square)
-        direction = towards + square / np.where(before > 0, before, np.inf) * direction
+        before, square = (
+            square,
+            np.where(going, _dot(residual, towards), square),
+        )
+        direction = (
+            towards + square / np.where(before > 0, before, np.inf) * direction
+        )
         onto = system.product(direction)
-        length = np.where(going, square / np.where(going, _dot(direction, onto), 1.0), 0.0)
+        length = np.where(
+            going, square / np.where(going, _dot(direction, onto), 1.0), 0.0
+        )
         x, residual = x + length * direction, residual - length * onto
     worst = system.worst(given - system.product(x), x, ROUNDING)
     if np.any(worst > tolerance):
         raise RuntimeError(
-            f"conjugate gradients: a node has a residual of {np.max(worst):.1e} of its mass times the largest result; "
-            f"{tolerance:.1e} is allowed"
+            "conjugate gradients: a node has a residual of"
+            f" {np.max(worst):.1e} of its mass times the largest result;"
+            f" {tolerance:.1e} is allowed"
         )
     return np.moveaxis(x, 0, -1) * unit[..., None, None]
 
 
 @dataclass(frozen=True)
 class _System:
-    """M + B of the free nodes, for vectors whose components come first: (3, ..., n).
+    """M + B of the free nodes, for vectors (3, ..., n).
 
     blocks : (3, 3, ..., m), of the edges
     own : (3, 3, ..., n), the block of each node on the diagonal of M + B
     inverse : of these blocks
     mass : (n,), that of pinned nodes is 1 and has no influence
     ends : two of (3 N m,), for N systems that are solved at once
-        In the vectors as one row, they are the places of both ends of every edge.
+        In the vectors as one row, they are the places of both ends of every
+        edge.
     """
 
     mesh: SpringMesh
@@ -112,41 +137,66 @@ class _System:
     ends: tuple[Integers, Integers]
 
     @classmethod
-    def of(cls, mesh: SpringMesh, blocks: ArrayLike, right: Array) -> tuple[_System, Array]:
+    def of(
+        cls, mesh: SpringMesh, blocks: ArrayLike, right: Array
+    ) -> tuple[_System, Array]:
         """Return the system and its right side, (3, ..., n)."""
-        by_edge, mass = np.asarray(blocks, dtype=float), np.where(mesh.pinned, 1.0, mesh.mass)
+        by_edge, mass = (
+            np.asarray(blocks, dtype=float),
+            np.where(mesh.pinned, 1.0, mesh.mass),
+        )
         own = np.zeros((len(mass), *by_edge.shape[:-3], 3, 3))
         for end in mesh.edges.T:
             np.add.at(own, end, np.moveaxis(by_edge, -3, 0))
         own = np.moveaxis(own, 0, -3) + mass[:, None, None] * np.eye(3)
         parts = [
-            np.ascontiguousarray(np.moveaxis(matrix, (-2, -1), (0, 1))) for matrix in (by_edge, own, np.linalg.inv(own))
+            np.ascontiguousarray(np.moveaxis(matrix, (-2, -1), (0, 1)))
+            for matrix in (by_edge, own, np.linalg.inv(own))
         ]
         batch = np.broadcast_shapes(by_edge.shape[:-3], right.shape[:-2])
-        given = np.moveaxis(np.broadcast_to(right, (*batch, *right.shape[-2:])), -1, 0)
+        given = np.moveaxis(
+            np.broadcast_to(right, (*batch, *right.shape[-2:])), -1, 0
+        )
         rows = np.arange(3 * math.prod(batch))[:, None] * len(mass)
-        ends = (rows + mesh.edges[:, 0]).ravel(), (rows + mesh.edges[:, 1]).ravel()
-        return cls(mesh, parts[0], parts[1], parts[2], mass, ends), np.ascontiguousarray(given)
+        ends = (
+            (rows + mesh.edges[:, 0]).ravel(),
+            (rows + mesh.edges[:, 1]).ravel(),
+        )
+        return cls(
+            mesh, parts[0], parts[1], parts[2], mass, ends
+        ), np.ascontiguousarray(given)
 
     def product(self, x: Array) -> Array:
         """(M + B) x, added up edge by edge; 0 at pinned nodes."""
-        between = np.take(x, self.mesh.edges[:, 0], axis=-1) - np.take(x, self.mesh.edges[:, 1], axis=-1)
+        between = np.take(x, self.mesh.edges[:, 0], axis=-1) - np.take(
+            x, self.mesh.edges[:, 1], axis=-1
+        )
         force = np.einsum("ij...,j...->i...", self.blocks, between).ravel()
         first, second = (np.bincount(end, force, x.size) for end in self.ends)
-        return np.where(self.mesh.pinned, 0.0, self.mass * x + (first - second).reshape(x.shape))
+        return np.where(
+            self.mesh.pinned,
+            0.0,
+            self.mass * x + (first - second).reshape(x.shape),
+        )
 
     def alone(self, residual: Array) -> Array:
         """How far each node would go if all others stayed where they are."""
-        return np.asarray(np.einsum("ij...,j...->i...", self.inverse, residual))
+        return np.asarray(
+            np.einsum("ij...,j...->i...", self.inverse, residual)
+        )
 
     def worst(self, residual: Array, x: Array, rounding: float = 0.0) -> Array:
-        """Largest residual of a node (..., 1), over its mass times the largest x.
+        """Largest residual (..., 1) of a node, over mass times largest x.
 
-        A share of the largest terms that make up the residual may be left as rounding.
+        A share of the largest terms that make up the residual may be left as
+        rounding.
         """
         size = _lengths(x).max(axis=-1, keepdims=True, initial=0.0)
         left = _lengths(residual) - rounding * np.trace(self.own) * size
-        return np.asarray((left / self.mass).max(axis=-1, keepdims=True, initial=0.0) / np.where(size > 0, size, 1.0))
+        return np.asarray(
+            (left / self.mass).max(axis=-1, keepdims=True, initial=0.0)
+            / np.where(size > 0, size, 1.0)
+        )
 
 
 def _lengths(vectors: Array) -> Array:

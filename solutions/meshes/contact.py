@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import in_unit_interval, not_negative, positive
 from solutions.detection import is_colliding, signed_distance
-from solutions.meshes.mesh import SpringMesh
+from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
 from solutions.meshes.springs import node_vectors
 from solutions.response import kinematic_response
 from solutions.scaling import length_of
@@ -27,10 +27,10 @@ def mesh_plane_contact(
 ) -> tuple[Array, Array]:
     """State of the nodes after their contact with the plane n·p + d = 0.
 
-    A node behind the plane is moved back onto it, by the shortest way. If the node
-    approaches the plane, its normal velocity v_n becomes −e v_n, and friction takes at
-    most μ (1 + e) |v_n| from its speed along the plane. Friction stops the sliding but
-    never reverses it.
+    A node behind the plane is moved back onto it, by the shortest way. If the
+    node approaches the plane, its normal velocity v_n becomes −e v_n, and
+    friction takes at most μ (1 + e) |v_n| from its speed along the plane.
+    Friction stops the sliding but never reverses it.
 
     Parameters
     ----------
@@ -44,27 +44,28 @@ def mesh_plane_contact(
     Returns
     -------
     position, velocity : (..., n, 3) each, m and m/s
-        A pinned node and a node on or in front of the plane keep both. A node behind
-        the plane that already moves away, or along it, keeps its velocity.
+        A pinned node and a node on or in front of the plane keep both. A node
+        behind the plane that already moves away, or along it, keeps its
+        velocity.
 
     Raises
     ------
     ValueError
-        If the normal is zero, e is not from 0 to 1, μ is negative, or an array does not
-        fit the mesh.
+        If the normal is zero, e is not from 0 to 1, μ is negative, or an array
+        does not fit the mesh.
 
     Notes
     -----
-    The plane gives a node of mass m the normal impulse m (1 + e) |v_n|, which turns v_n
-    into −e v_n. Coulomb's law limits the impulse of friction to μ times the normal
-    impulse. Divided by the mass, that limit is
+    The plane gives a node of mass m the normal impulse m (1 + e) |v_n|, which
+    turns v_n into −e v_n. Coulomb's law limits the impulse of friction to μ
+    times the normal impulse. Divided by the mass, that limit is
 
         |Δv_t| ≤ μ (1 + e) |v_n|
 
-    so the mass drops out. The normal impulses on a node that rests on a horizontal
-    plane add up to its weight times the time, whatever the timestep is. Friction
-    therefore slows such a node at the rate μ g while it slides, and this rate does not
-    depend on the timestep.
+    so the mass drops out. The normal impulses on a node that rests on a
+    horizontal plane add up to its weight times the time, whatever the timestep
+    is. Friction therefore slows such a node at the rate μ g while it slides,
+    and this rate does not depend on the timestep.
     """
     p = node_vectors(mesh, "position", position)
     separation = signed_distance(p, normal, offset)
@@ -74,7 +75,7 @@ def mesh_plane_contact(
 
 
 def mesh_sphere_contact(
-    mesh: SpringMesh,
+    mesh: AnyMesh,
     position: ArrayLike,
     velocity: ArrayLike,
     centre: ArrayLike,
@@ -84,48 +85,72 @@ def mesh_sphere_contact(
 ) -> tuple[Array, Array]:
     """State of the nodes after their contact with a fixed sphere.
 
-    A node inside the sphere is treated as `mesh_plane_contact` treats a node behind a
-    plane. The normal n points from the centre of the sphere to the node.
-
-    Only nodes are tested. An edge of length L whose ends lie on the sphere cuts into it
-    by L²/(8 r). Draw the sphere smaller by that length, or keep the nodes a little off
-    its surface.
+    A node inside the sphere is moved back onto its surface, by the shortest
+    way. If the node approaches the surface, the sphere gives it the normal
+    impulse that turns its normal velocity v_n into −e v_n, and an impulse of
+    friction against its sliding, as large as Coulomb's law allows, but never
+    more than stops the sliding.
 
     Parameters
     ----------
-    position, velocity : (..., n, 3), m and m/s
-    centre : (3,), m; for a batch of meshes, one centre for each: (..., 1, 3)
-    radius : r, m, positive; for a batch (..., 1)
+    mesh : SpringMesh of n nodes
+    position, velocity : (n, 3), m and m/s
+    centre : (3,), m
+    radius : m, positive
     restitution : e, from 0 to 1
     friction : μ, not negative
 
     Returns
     -------
-    position, velocity : (..., n, 3) each, m and m/s
-        A pinned node and a node on or outside the sphere keep both. A node exactly at
-        the centre has no shortest way out: it moves up, along +z.
+    position, velocity : (n, 3) each, m and m/s
+        A pinned node and a node on or outside the sphere keep both. A node
+        inside that already moves away, or along the surface, keeps its
+        velocity. A node exactly at the centre has no shortest way out: it
+        moves up, along +z, and up is its normal.
 
     Raises
     ------
     ValueError
-        If the radius is not positive, e is not from 0 to 1, μ is negative, or an array
-        does not fit the mesh.
+        If the radius is not positive, e is not from 0 to 1, μ is negative, or
+        an array does not fit the mesh.
 
     Notes
     -----
-    The middle of an edge whose ends lie on the sphere is √(r² − L²/4) from the centre,
-    by Pythagoras. It lies below the surface by
+    The sphere gives a node of mass m the normal impulse m (1 + e) |v_n|.
+    Coulomb's law limits the impulse of friction to μ times the normal impulse.
+    Divided by the mass, that limit is
+
+        |Δv_t| ≤ μ (1 + e) |v_n|
+
+    so the mass drops out.
+
+    Only nodes are tested. The middle of an edge of length L whose ends lie on
+    the sphere is √(r² − L²/4) from the centre, by Pythagoras. It lies below
+    the surface by
 
         r − √(r² − L²/4) ≈ L²/(8 r)
 
-    where the approximation holds for an edge that is short compared with the radius.
+    where the approximation holds for an edge that is short compared with the
+    radius. Leading axes of position and velocity make a batch, (..., n, 3),
+    with a centre (..., 1, 3) and a radius (..., 1) for each.
     """
+    mesh = as_mesh(mesh)
     p = node_vectors(mesh, "position", position)
     away = p - np.asarray(centre, dtype=float)
     distance = length_of(away)
     apart = distance > 0
-    normal = np.where(apart[..., None], away / np.where(apart, distance, 1.0)[..., None], UP)
-    return _answered(mesh, p, velocity, normal, distance - positive("radius", radius), restitution, friction)
+    normal = np.where(
+        apart[..., None], away / np.where(apart, distance, 1.0)[..., None], UP
+    )
+    return _answered(
+        mesh,
+        p,
+        velocity,
+        normal,
+        distance - positive("radius", radius),
+        restitution,
+        friction,
+    )
 
 
 def _answered(
@@ -138,12 +163,14 @@ def _answered(
     friction: ArrayLike,
 ) -> tuple[Array, Array]:
     v = node_vectors(mesh, "velocity", velocity)
-    e, mu = in_unit_interval("restitution", restitution), not_negative("friction", friction)
+    e = in_unit_interval("restitution", restitution)
+    mu = not_negative("friction", friction)
     after = kinematic_response(v, normal, e)
     gained = length_of(after - v)
     rubbed = _slowed(after, normal, mu * gained)
     hit = (is_colliding(separation) & ~mesh.pinned)[..., None]
-    return np.where(hit, position - separation[..., None] * normal, position), np.where(hit, rubbed, v)
+    put_back = position - separation[..., None] * normal
+    return np.where(hit, put_back, position), np.where(hit, rubbed, v)
 
 
 def _slowed(velocity: Array, normal: Array, most: Array) -> Array:

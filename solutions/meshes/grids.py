@@ -21,13 +21,20 @@ An offset is (rows, columns) from the first end to the second.
 """
 LATTICE_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
     "structural": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
-    "face": ((1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)),
+    "face": (
+        (1, 1, 0),
+        (1, -1, 0),
+        (1, 0, 1),
+        (1, 0, -1),
+        (0, 1, 1),
+        (0, 1, -1),
+    ),
     "space": ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)),
 }
 """Which nodes of a solid lattice each kind of spring joins.
 
-"structural" springs are the edges of the cubes. The others are the internal springs
-along the diagonals of their faces and of space.
+"structural" springs are the edges of the cubes. The others are the internal
+springs along the diagonals of their faces and of space.
 """
 
 
@@ -60,13 +67,16 @@ def cloth(
 
     Notes
     -----
-    Structural springs join neighbours and keep their distance. Shear springs are the
-    diagonals: without them a square becomes a rhombus at no cost of energy. Bend
-    springs join every second node: without them the cloth folds at no cost of energy.
+    Structural springs join neighbours and keep their distance. Shear springs
+    are the diagonals: without them a square becomes a rhombus at no cost of
+    energy. Bend springs join every second node: without them the cloth folds
+    at no cost of energy.
     """
     node = _node_numbers({"rows": rows, "columns": columns})
     row, column = np.divmod(np.arange(node.size), columns)
-    position = positive("spacing", spacing) * np.stack([column, row, np.zeros(node.size)], axis=-1)
+    position = positive("spacing", spacing) * np.stack(
+        [column, row, np.zeros(node.size)], axis=-1
+    )
     return position, _grid_edges(node, CLOTH_SPRINGS, kinds)
 
 
@@ -79,7 +89,8 @@ def lattice(
 ) -> tuple[Array, Integers]:
     """Nodes and edges of a solid of nx × ny × nz nodes.
 
-    Node (i, j, k), counted along x, y and z, has the number (i · ny + j) · nz + k.
+    Node (i, j, k), counted along x, y and z, has the number (i · ny + j) · nz
+    + k.
 
     Parameters
     ----------
@@ -99,12 +110,14 @@ def lattice(
 
     Notes
     -----
-    The structural springs are the edges of the cubes. On their own they let every cube
-    shear and collapse. The internal springs along the diagonals of the faces and of
-    space stabilise the shape (slide 28).
+    The structural springs are the edges of the cubes. On their own they let
+    every cube shear and collapse. The internal springs along the diagonals of
+    the faces and of space stabilise the shape (slide 28).
     """
     node = _node_numbers({"nx": nx, "ny": ny, "nz": nz})
-    position = positive("spacing", spacing) * np.stack(np.unravel_index(np.arange(node.size), node.shape), axis=-1)
+    position = positive("spacing", spacing) * np.stack(
+        np.unravel_index(np.arange(node.size), node.shape), axis=-1
+    )
     return position, _grid_edges(node, LATTICE_SPRINGS, kinds)
 
 
@@ -116,17 +129,34 @@ def _node_numbers(counts: Mapping[str, int]) -> Integers:
     return np.arange(np.prod(shape)).reshape(shape)
 
 
-def _grid_edges(node: Integers, springs: Mapping[str, tuple[Offset, ...]], kinds: Collection[str]) -> Integers:
-    """All pairs of nodes of a grid whose offset belongs to one of the wanted kinds."""
+def _grid_edges(
+    node: Integers,
+    springs: Mapping[str, tuple[Offset, ...]],
+    kinds: Collection[str],
+) -> Integers:
+    """All pairs of nodes of a grid with an offset of the wanted kinds."""
     for kind in kinds:
         if kind not in springs:
             raise ValueError(f"kinds are {', '.join(springs)}, not {kind!r}")
-    offsets = [offset for kind, group in springs.items() if kind in kinds for offset in group]
+    offsets = [
+        offset
+        for kind, group in springs.items()
+        if kind in kinds
+        for offset in group
+    ]
     pairs = [np.zeros((0, 2), dtype=np.int64)]
     for offset in offsets:
-        first = tuple(_within(size, step) for size, step in zip(node.shape, offset, strict=True))
-        second = tuple(_within(size, -step) for size, step in zip(node.shape, offset, strict=True))
-        pairs.append(np.stack([node[first].ravel(), node[second].ravel()], axis=-1))
+        first = tuple(
+            _within(size, step)
+            for size, step in zip(node.shape, offset, strict=True)
+        )
+        second = tuple(
+            _within(size, -step)
+            for size, step in zip(node.shape, offset, strict=True)
+        )
+        pairs.append(
+            np.stack([node[first].ravel(), node[second].ravel()], axis=-1)
+        )
     return np.concatenate(pairs)
 
 

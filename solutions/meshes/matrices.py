@@ -1,4 +1,4 @@
-"""Stiffness and damping of a mesh as matrices, and products with them (slide 28)."""
+"""Stiffness and damping as matrices, and their products (slide 28)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,12 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.meshes.mesh import SpringMesh
-from solutions.meshes.springs import across_edges, edge_directions, node_vectors, onto_nodes
+from solutions.meshes.springs import (
+    across_edges,
+    edge_directions,
+    node_vectors,
+    onto_nodes,
+)
 
 
 def edge_stiffness(
@@ -17,21 +22,22 @@ def edge_stiffness(
 ) -> Array:
     """Stiffness matrix K of every spring, for small displacements of its ends.
 
-    If end 1 moves by d1 and end 2 by d2, the force on end 1 changes by −K d, with the
-    relative displacement d = d1 − d2. The force on end 2 changes by +K d.
+    If end 1 moves by d1 and end 2 by d2, the force on end 1 changes by −K d,
+    with the relative displacement d = d1 − d2. The force on end 2 changes by
+    +K d.
 
     Parameters
     ----------
     position : (..., n, 3), m
     clamped : whether K has no negative eigenvalue
-        A shortened spring has a negative stiffness across its edge, as it buckles. If
-        clamped is true, zero is used in its place.
+        A shortened spring has a negative stiffness across its edge, as it
+        buckles. If clamped is true, zero is used in its place.
 
     Returns
     -------
     (..., m, 3, 3), N/m
-        At zero length K is k I for a spring whose rest length is zero. For any other
-        spring it is 0 there, as the edge has no direction.
+        At zero length K is k I for a spring whose rest length is zero. For any
+        other spring it is 0 there, as the edge has no direction.
 
     Raises
     ------
@@ -40,34 +46,40 @@ def edge_stiffness(
 
     Notes
     -----
-    The force on end 1 is −k (L − L0) u. A small displacement d changes the length by
-    u·d and turns the direction by (I − u uᵀ) d/L, which is the part of d across the
-    edge divided by the length. By the product rule the force changes by
+    The spring pulls end 1 along −u with the tension t = k (L − L0). A small
+    displacement d changes the length by u·d and turns the direction by
+    (I − u uᵀ) d/L, which is the part of d across the edge divided by the
+    length. By the product rule the force changes by
 
-        −k (u·d) u − k (L − L0)/L (I − u uᵀ) d
+        −k (u·d) u − (t/L) (I − u uᵀ) d
 
     and comparing this with −K d gives
 
         K = k (u uᵀ + g (I − u uᵀ)),    g = 1 − L0/L
 
-    Along the edge the stiffness is k. Across the edge it is k g, because the tension
-    turns with the edge: a taut spring resists. In a shortened spring g is negative, so
-    the spring buckles, and a step that relies on K may blow up. Clamped, g is never
-    negative.
+    Along the edge the stiffness is k. Across the edge it is k g, because the
+    tension turns with the edge: a taut spring resists. In a shortened spring g
+    is negative, so the spring buckles, and a step that relies on K may blow
+    up. Clamped, g is never negative.
     """
     u, length = edge_directions(mesh, position)
     across = 1 - mesh.rest_length / np.where(length > 0, length, 1.0)
-    across = np.where(length > 0, across, np.where(mesh.rest_length > 0, 0.0, 1.0))
+    across = np.where(
+        length > 0, across, np.where(mesh.rest_length > 0, 0.0, 1.0)
+    )
     g = np.maximum(across, 0.0) if clamped else across
     along = (1 - g)[..., None, None] * (u[..., :, None] * u[..., None, :])
-    return np.asarray(mesh.stiffness[:, None, None] * (along + g[..., None, None] * np.eye(3)))
+    return np.asarray(
+        mesh.stiffness[:, None, None]
+        * (along + g[..., None, None] * np.eye(3))
+    )
 
 
 def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
-    """Damping matrix C of every damper, for changes of the velocities of its ends.
+    """Damping matrix C of every damper, for the velocities of its ends.
 
-    If the relative velocity v1 − v2 changes by Δ, the force on end 1 changes by −C Δ,
-    and the force on end 2 by +C Δ.
+    If the relative velocity v1 − v2 changes by Δ, the force on end 1 changes
+    by −C Δ, and the force on end 2 by +C Δ.
 
     Parameters
     ----------
@@ -85,22 +97,28 @@ def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
 
     Notes
     -----
-    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in v1 − v2, with
+    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in v1 −
+    v2, with
 
         C = k_d u uᵀ
     """
     u, _ = edge_directions(mesh, position)
-    return np.asarray(mesh.damping[:, None, None] * (u[..., :, None] * u[..., None, :]))
+    return np.asarray(
+        mesh.damping[:, None, None] * (u[..., :, None] * u[..., None, :])
+    )
 
 
-def mesh_product(mesh: SpringMesh, blocks: ArrayLike, vector: ArrayLike) -> Array:
+def mesh_product(
+    mesh: SpringMesh, blocks: ArrayLike, vector: ArrayLike
+) -> Array:
     """Product of the matrix of the whole mesh with a vector.
 
     The product is added up edge by edge. The matrix itself is never built.
 
     Parameters
     ----------
-    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness` returns them
+    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness`
+        returns them
     vector : (..., n, 3)
 
     Returns
@@ -114,7 +132,12 @@ def mesh_product(mesh: SpringMesh, blocks: ArrayLike, vector: ArrayLike) -> Arra
         If the vector does not fit the mesh.
     """
     between = across_edges(mesh, node_vectors(mesh, "vector", vector))
-    return onto_nodes(mesh, np.einsum("...ij,...j->...i", np.asarray(blocks, dtype=float), between))
+    return onto_nodes(
+        mesh,
+        np.einsum(
+            "...ij,...j->...i", np.asarray(blocks, dtype=float), between
+        ),
+    )
 
 
 def mesh_matrix(mesh: SpringMesh, blocks: ArrayLike) -> Array:
@@ -122,28 +145,36 @@ def mesh_matrix(mesh: SpringMesh, blocks: ArrayLike) -> Array:
 
     Parameters
     ----------
-    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness` returns them
+    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness`
+        returns them
 
     Returns
     -------
     (..., 3 n, 3 n)
-        The rows and columns are x, y, z of node 0, then of node 1, and so on. Pinned
-        nodes are included as if they were free.
+        The rows and columns are x, y, z of node 0, then of node 1, and so on.
+        Pinned nodes are included as if they were free.
 
     Notes
     -----
-    An edge with the block B gives end 1 the force −B (d1 − d2) and end 2 the opposite
-    force. So every edge adds +B to the diagonal blocks of both its ends, and −B to the
-    two blocks that couple them.
+    An edge with the block B gives end 1 the force −B (d1 − d2) and end 2 the
+    opposite force. So every edge adds +B to the diagonal blocks of both its
+    ends, and −B to the two blocks that couple them.
     """
     block, nodes = np.asarray(blocks, dtype=float), len(mesh.mass)
     first, second = mesh.edges.T
     matrix = np.zeros((*block.shape[:-3], nodes, nodes, 3, 3))
     by_pair = np.moveaxis(matrix, (-4, -3), (0, 1))
     by_edge = np.moveaxis(block, -3, 0)
-    for row, column, sign in ((first, first, 1), (second, second, 1), (first, second, -1), (second, first, -1)):
+    for row, column, sign in (
+        (first, first, 1),
+        (second, second, 1),
+        (first, second, -1),
+        (second, first, -1),
+    ):
         np.add.at(by_pair, np.index_exp[row, column], sign * by_edge)
-    return np.asarray(np.swapaxes(matrix, -3, -2)).reshape(*block.shape[:-3], 3 * nodes, 3 * nodes)
+    return np.asarray(np.swapaxes(matrix, -3, -2)).reshape(
+        *block.shape[:-3], 3 * nodes, 3 * nodes
+    )
 
 
 def dot(a: Array, b: Array) -> Array:

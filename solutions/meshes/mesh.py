@@ -1,4 +1,4 @@
-"""What a spring mesh is made of: nodes with a mass and edges as springs (slide 28).
+"""Parts of a mesh: nodes with a mass, edges as springs (slide 28).
 
 Every edge has a spring, and a damper beside it.
 """
@@ -6,38 +6,17 @@ Every edge has a spring, and a damper beside it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.checks import finite, not_negative, positive
 from solutions.scaling import in_moderate_units
 
 
-@dataclass(frozen=True, eq=False)
-class SpringMesh:
-    """A spring mesh of n nodes and m springs, as plain arrays that nothing writes to.
-
-    Rest length, stiffness, damping and pinned may be given as one number for all.
-
-    Parameters
-    ----------
-    edges : (m, 2), the nodes at the two ends of each spring
-    rest_length : (m,), m, not negative and finite
-    stiffness : (m,), N/m, not negative and finite
-    damping : (m,), N s/m, not negative and finite
-    mass : (n,), kg, positive; infinity for an immovable node, which counts as pinned
-    pinned : (n,), bool, the nodes that do not move
-
-    Raises
-    ------
-    ValueError
-        If an edge joins a node to itself or to one that does not exist, a mass is not
-        positive, or any of the other numbers is negative or not finite.
-    """
-
+class _Parts(NamedTuple):
     edges: Integers
     rest_length: Array
     stiffness: Array
@@ -45,31 +24,95 @@ class SpringMesh:
     mass: Array
     pinned: Booleans
 
-    def __post_init__(self) -> None:
-        mass = positive("mass", self.mass)
-        if mass.ndim != 1:
-            raise ValueError(f"mass must have the shape (nodes,), not {mass.shape}")
-        edges = checked_edges(self.edges, len(mass))
-        pinned = np.broadcast_to(np.asarray(self.pinned, dtype=bool), mass.shape) | np.isinf(mass)
-        found: dict[str, NDArray[np.generic]] = {"edges": edges, "mass": mass.copy(), "pinned": pinned}
-        for name in ("rest_length", "stiffness", "damping"):
-            number = finite(name, not_negative(name, getattr(self, name)))
-            found[name] = np.array(np.broadcast_to(number, edges.shape[:1]))
-        for name, array in found.items():
+
+class SpringMesh(_Parts):
+    """A spring mesh of n nodes and m springs, as read-only arrays.
+
+    Rest length, stiffness, damping and pinned may be given as one number for
+    all. The mesh is a tuple of its six arrays, with names: `mesh.edges` is the
+    first of them.
+
+    Attributes
+    ----------
+    edges : (m, 2), the nodes at the two ends of each spring
+    rest_length : (m,), m, not negative and finite
+    stiffness : (m,), N/m, not negative and finite
+    damping : (m,), N s/m, not negative and finite
+    mass : (n,), kg, positive
+        Infinity for an immovable node, which counts as pinned.
+    pinned : (n,), bool, the nodes that do not move
+    inverse_mass : (n,), 1/kg, zero where the node is pinned
+
+    Raises
+    ------
+    ValueError
+        If an edge joins a node to itself or to one that does not exist, a mass
+        is not positive, or any of the other numbers is negative or not finite.
+    """
+
+    __slots__ = ()
+
+    def __new__(
+        cls,
+        edges: ArrayLike,
+        rest_length: ArrayLike,
+        stiffness: ArrayLike,
+        damping: ArrayLike,
+        mass: ArrayLike,
+        pinned: ArrayLike,
+    ) -> SpringMesh:
+        """Make a mesh of its six arrays, and refuse impossible ones."""
+        masses = positive("mass", mass).copy()
+        if masses.ndim != 1:
+            raise ValueError(
+                f"mass must have the shape (nodes,), not {masses.shape}"
+            )
+        ends = checked_edges(edges, len(masses))
+        flags = np.asarray(pinned, dtype=bool)
+        held = np.broadcast_to(flags, masses.shape) | np.isinf(masses)
+        rest, stiff, damp = (
+            np.array(
+                np.broadcast_to(
+                    finite(name, not_negative(name, value)), ends.shape[:1]
+                )
+            )
+            for name, value in (
+                ("rest_length", rest_length),
+                ("stiffness", stiffness),
+                ("damping", damping),
+            )
+        )
+        for array in (ends, rest, stiff, damp, masses, held):
             array.flags.writeable = False
-            object.__setattr__(self, name, array)
+        return super().__new__(cls, ends, rest, stiff, damp, masses, held)
+
+    def _replace(self, **parts: Any) -> SpringMesh:
+        """The mesh with other arrays, by name, checked again."""
+        return SpringMesh(**{**self._asdict(), **parts})
 
     @property
     def inverse_mass(self) -> Array:
-        """Inverse mass of every node, (n,), 1/kg: zero where the node is pinned."""
+        """Inverse mass of every node, (n,), 1/kg: zero where it is pinned."""
         return np.where(self.pinned, 0.0, 1 / self.mass)
+
+
+AnyMesh = (
+    SpringMesh
+    | tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike, ArrayLike, ArrayLike]
+)
+"""A `SpringMesh`, or a plain tuple in its order."""
+
+
+def as_mesh(mesh: AnyMesh) -> SpringMesh:
+    """Return the mesh; of a plain tuple of its arrays, make one."""
+    return mesh if isinstance(mesh, SpringMesh) else SpringMesh(*mesh)
 
 
 def lengths(vector: Array) -> Array:
     """Lengths of the vectors (..., 3).
 
-    Every length of an edge is computed with this formula, so a mesh in its first shape
-    is at rest to the last bit.
+    Every length of an edge is computed with this formula, so a mesh in its
+    first shape is at rest to the last bit.
     """
     _, length, unit = in_moderate_units(vector)
     return length * unit if unit.ndim else length
@@ -90,18 +133,25 @@ def checked_edges(edges: ArrayLike, nodes: int) -> Integers:
     Raises
     ------
     ValueError
-        If the shape is another, an end is not one of the nodes 0 to nodes − 1, or both
-        ends of an edge are the same node.
+        If the shape is another, an end is not one of the nodes 0 to nodes − 1,
+        or both ends of an edge are the same node.
     """
     found = np.asarray(edges)
     if found.size == 0:
         return np.zeros((0, 2), dtype=np.int64)
     if found.ndim != 2 or found.shape[1] != 2 or found.dtype.kind not in "iu":
-        raise ValueError(f"edges must be integers of the shape (edges, 2), not {found.dtype} of {found.shape}")
+        raise ValueError(
+            "edges must be integers of the shape (edges, 2), not"
+            f" {found.dtype} of {found.shape}"
+        )
     for edge in found[np.any((found < 0) | (found >= nodes), axis=1)]:
-        raise ValueError(f"edges must join nodes from 0 to {nodes - 1}, not {edge.tolist()}")
+        raise ValueError(
+            f"edges must join nodes from 0 to {nodes - 1}, not {edge.tolist()}"
+        )
     for edge in found[found[:, 0] == found[:, 1]]:
-        raise ValueError(f"edges must join two different nodes, not {edge.tolist()}")
+        raise ValueError(
+            f"edges must join two different nodes, not {edge.tolist()}"
+        )
     return found.astype(np.int64)
 
 
@@ -126,21 +176,36 @@ def spring_mesh(
     Returns
     -------
     SpringMesh
-        The rest length of each spring is the distance between its ends in this shape.
+        The rest length of each spring is the distance between its ends in this
+        shape.
 
     Raises
     ------
     ValueError
-        As `SpringMesh` does. Also if a position is not finite, or a pinned node does
-        not exist.
+        As `SpringMesh` does. Also if a position is not finite, or a pinned
+        node does not exist.
     """
     place = np.asarray(position, dtype=float)
-    if place.ndim != 2 or place.shape[1] != 3 or not np.all(np.isfinite(place)):
-        raise ValueError(f"position must be finite and of the shape (nodes, 3), not {place.shape}: {place}")
+    if (
+        place.ndim != 2
+        or place.shape[1] != 3
+        or not np.all(np.isfinite(place))
+    ):
+        raise ValueError(
+            "position must be finite and of the shape (nodes, 3), not"
+            f" {place.shape}: {place}"
+        )
     found = checked_edges(edges, len(place))
     length = lengths(place[found[:, 0]] - place[found[:, 1]])
     masses = np.broadcast_to(np.asarray(mass, dtype=float), len(place))
-    mesh = SpringMesh(found, length, np.asarray(stiffness), np.asarray(damping), masses, np.zeros(len(place), bool))
+    mesh = SpringMesh(
+        found,
+        length,
+        np.asarray(stiffness),
+        np.asarray(damping),
+        masses,
+        np.zeros(len(place), bool),
+    )
     return pin(mesh, pinned)
 
 
@@ -163,5 +228,10 @@ def pin(mesh: SpringMesh, nodes: Sequence[int]) -> SpringMesh:
     """
     for node in nodes:
         if not 0 <= node < len(mesh.mass):
-            raise ValueError(f"pinned nodes are numbered from 0 to {len(mesh.mass) - 1}, not {node}")
-    return replace(mesh, pinned=mesh.pinned | np.isin(np.arange(len(mesh.mass)), nodes))
+            raise ValueError(
+                "pinned nodes are numbered from 0 to"
+                f" {len(mesh.mass) - 1}, not {node}"
+            )
+    return mesh._replace(
+        pinned=mesh.pinned | np.isin(np.arange(len(mesh.mass)), nodes)
+    )

@@ -1,4 +1,4 @@
-"""Which timesteps a mesh allows, and which motions it does not resist (slide 28)."""
+"""Timesteps that a mesh allows, motions that it does not resist."""
 
 from __future__ import annotations
 
@@ -6,8 +6,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
-from solutions.meshes.matrices import dot, edge_damping, edge_stiffness, mesh_matrix, mesh_product
-from solutions.meshes.mesh import SpringMesh
+from solutions.meshes.matrices import (
+    dot,
+    edge_damping,
+    edge_stiffness,
+    mesh_matrix,
+    mesh_product,
+)
+from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
 from solutions.meshes.springs import finite_vectors
 
 SEED = 28
@@ -22,17 +28,18 @@ def zero_energy_modes(
     position: ArrayLike,
     tolerance: float = 1e-9,
 ) -> NDArray[np.int64]:
-    """Number of independent small motions of the free nodes that cost no energy.
+    """Number of independent small motions that cost no energy.
 
-    A free body that keeps its shape has six of them, its rigid motions. Each further
-    one is a way to collapse. A cube of edges alone has twelve; its internal springs
-    leave six (slide 28).
+    A free body that keeps its shape has six of them, its rigid motions. Each
+    further one is a way to collapse, which internal springs have to forbid
+    (slide 28).
 
     Parameters
     ----------
     position : (..., n, 3), m, the shape at rest
         In a stretched mesh the tension would resist some of the motions.
-    tolerance : share of the largest eigenvalue up to which an eigenvalue counts as zero
+    tolerance : share of the largest eigenvalue up to which an eigenvalue
+        counts as zero
 
     Returns
     -------
@@ -45,15 +52,16 @@ def zero_energy_modes(
 
     Notes
     -----
-    A small motion d of the free nodes costs the energy d·K d/2, with the stiffness
-    matrix K of the whole mesh at rest. K is symmetric and has no negative eigenvalue,
-    so this energy is zero exactly for the motions with K d = 0. The number of
-    independent ones is the number of eigenvalues that are zero.
+    A small motion d of the free nodes costs the energy d·K d/2, with the
+    stiffness matrix K of the whole mesh at rest. K is symmetric and has no
+    negative eigenvalue, so this energy is zero exactly for the motions with
+    K d = 0. The number of independent ones is the number of eigenvalues that
+    are zero.
     """
     free = np.repeat(~mesh.pinned, 3)
-    matrix = mesh_matrix(mesh, edge_stiffness(mesh, finite_vectors(mesh, "position", position)))[..., free, :][
-        ..., free
-    ]
+    matrix = mesh_matrix(
+        mesh, edge_stiffness(mesh, finite_vectors(mesh, "position", position))
+    )[..., free, :][..., free]
     values = np.linalg.eigvalsh(matrix)
     largest = np.max(np.abs(values), axis=-1, keepdims=True, initial=0.0)
     return np.asarray(np.sum(values <= tolerance * largest, axis=-1))
@@ -67,16 +75,16 @@ def largest_eigenvalue(
 ) -> Array:
     """Largest eigenvalue λ = ω² of M⁻¹K, found by power iteration.
 
-    M holds the masses and K the stiffnesses of the mesh, so ω is its highest angular
-    frequency.
+    M holds the masses and K the stiffnesses of the mesh, so ω is its highest
+    angular frequency.
 
     Parameters
     ----------
     position : (..., n, 3), m
     tolerance : share of λ by which the result may miss an eigenvalue
-        The iteration stops when ‖A x − λ x‖ is at most this share of λ, for x of length
-        1 and the matrix A = M⁻¹K in its symmetric form. An eigenvalue of A then lies as
-        near as that.
+        The iteration stops when ‖A x − λ x‖ is at most this share of λ, for x
+        of length 1 and the matrix A = M⁻¹K in its symmetric form. An
+        eigenvalue of A then lies as near as that.
     iterations : largest number of rounds
         If it is reached, the result is the value found so far.
 
@@ -92,22 +100,25 @@ def largest_eigenvalue(
 
     Notes
     -----
-    Multiplying a vector x by a matrix A with no negative eigenvalue stretches its part
-    along the mode with the largest eigenvalue more than any other part. If x is
-    replaced by A x again and again, it therefore turns into that mode, until
-    multiplication changes only its length.
+    Multiplying a vector x by a matrix A with no negative eigenvalue stretches
+    its part along the mode with the largest eigenvalue more than any other
+    part. If x is replaced by A x again and again, it therefore turns into that
+    mode, until multiplication changes only its length.
 
-    The function scales x by √M, which turns M⁻¹K into a symmetric matrix with the same
-    eigenvalues:
+    The function scales x by √M, which turns M⁻¹K into a symmetric matrix with
+    the same eigenvalues:
 
         A = M^(−1/2) K M^(−1/2)
 
-    For a symmetric matrix the quotient x·Ax/x·x is an average of the eigenvalues, so it
-    is never above λ. Its error is of second order in the error of x, so it settles
-    twice as fast as x does.
+    For a symmetric matrix the quotient x·Ax/x·x is an average of the
+    eigenvalues, so it is never above λ. Its error is of second order in the
+    error of x, so it settles twice as fast as x does.
     """
     p = finite_vectors(mesh, "position", position)
-    blocks, scale = edge_stiffness(mesh, p), np.sqrt(mesh.inverse_mass)[:, None]
+    blocks, scale = (
+        edge_stiffness(mesh, p),
+        np.sqrt(mesh.inverse_mass)[:, None],
+    )
     x = _start(p.shape)
     for _ in range(max(1, iterations)):
         onto = scale * mesh_product(mesh, blocks, scale * x)
@@ -124,7 +135,7 @@ def stable_timestep(
     tolerance: float = 1e-4,
     iterations: int = 10_000,
 ) -> Array:
-    """Longest stable timestep of semi-implicit Euler for small vibrations (slide 28).
+    """Longest stable timestep of semi-implicit Euler (slide 28).
 
     Damping is included: it makes the limit shorter (slide 29).
 
@@ -136,8 +147,8 @@ def stable_timestep(
     Returns
     -------
     (...), s
-        Never below the true limit, so stay a little under it. Infinity if no spring and
-        no damper acts on a free node.
+        Never below the true limit, so stay a little under it. Infinity if no
+        spring and no damper acts on a free node.
 
     Raises
     ------
@@ -147,32 +158,37 @@ def stable_timestep(
     Notes
     -----
     For a small displacement x and a velocity v the integrator takes the steps
-    v' = v − dt M⁻¹(K x + C v) and x' = x + dt v'. With a longer and longer dt, a
-    vibration begins to grow when one step only turns it over, without loss: x' = −x and
-    v' = −v. The second rule then gives v = 2 x/dt, and with this the first rule becomes
+    v' = v − dt M⁻¹(K x + C v) and x' = x + dt v'. With a longer and longer dt,
+    a vibration begins to grow when one step only turns it over, without loss:
+    x' = −x and v' = −v. The second rule then gives v = 2 x/dt, and with this
+    the first rule becomes
 
         (dt² K + 2 dt C) x = 4 M x
 
-    Multiply by x from the left and divide by x·Mx. The result is a quadratic equation
-    for dt, dt² k + 2 dt c = 4. Its positive solution is the step that turns x over, and
-    the limit is the shortest of these steps:
+    Multiply by x from the left and divide by x·Mx. The result is a quadratic
+    equation for dt, dt² k + 2 dt c = 4. Its positive solution is the step that
+    turns x over, and the limit is the shortest of these steps:
 
-        dt = min over x of 4/(c + √(c² + 4 k)),    k = x·Kx/x·Mx,  c = x·Cx/x·Mx
+        dt = min over x of 4/(c + √(c² + 4 k))
+        k = x·Kx/x·Mx,  c = x·Cx/x·Mx
 
     Without damping c = 0, and the limit is 2/ω = 2/√λ. With c = 2ζω it is
-    (2/ω)(√(1 + ζ²) − ζ). The function finds the x that gives the shortest step by power
-    iteration on dt² K + 2 dt C.
+    (2/ω)(√(1 + ζ²) − ζ). The function finds the x that gives the shortest step
+    by power iteration on dt² K + 2 dt C.
 
-    The limit of a single spring, 2√(m/k), is too optimistic for a node that many
-    springs hold. A 10×10 cloth takes 1.01, 0.72 and 0.646 √(m/k) as structural, shear
-    and bend springs are added.
+    The limit of a single spring, 2√(m/k), is too optimistic for a node that
+    many springs hold. A 10×10 cloth takes 1.01, 0.72 and 0.646 √(m/k) as
+    structural, shear and bend springs are added.
     """
     p = finite_vectors(mesh, "position", position)
     stiffness, damping = edge_stiffness(mesh, p), edge_damping(mesh, p)
     scale = np.sqrt(mesh.inverse_mass)[:, None]
     x = _start(p.shape)
     for _ in range(max(1, iterations)):
-        kx, cx = (scale * mesh_product(mesh, blocks, scale * x) for blocks in (stiffness, damping))
+        kx, cx = (
+            scale * mesh_product(mesh, blocks, scale * x)
+            for blocks in (stiffness, damping)
+        )
         k, c = dot(x, kx), dot(x, cx)
         dt = _quotient(4.0, c + np.sqrt(c * c + 4 * k))
         step = np.where(np.isinf(dt), 0.0, dt)
@@ -183,16 +199,21 @@ def stable_timestep(
     return np.asarray(dt[..., 0, 0])
 
 
-def timestep_bound(mesh: SpringMesh) -> float:
+def timestep_bound(mesh: AnyMesh) -> float:
     """A timestep that is safe in every shape of the mesh.
 
-    It needs only sums over the springs at each node (Gershgorin), no iteration. It is
-    at most as long as `stable_timestep`, whatever the shape.
+    It is the longest step that is stable at every node by itself, if all
+    neighbours of the node move as far as it does and exactly against it, along
+    every one of its springs and dampers.
+
+    Parameters
+    ----------
+    mesh : SpringMesh
 
     Returns
     -------
     s
-        Infinity if no spring and no damper acts on a free node.
+        Infinity if no spring and no damper acts on a node that can move.
 
     Notes
     -----
@@ -201,22 +222,30 @@ def timestep_bound(mesh: SpringMesh) -> float:
         dt = least over the nodes of 4/(c + √(c² + 4 k))
         k = 2 Σ stiffness/mass,  c = 2 Σ damping/mass
 
-    with the sums over the springs at a node, and with its own mass.
+    with the sums over the springs at a node, and with its own mass. It needs
+    no iteration, and is at most as long as `stable_timestep`, whatever the
+    shape.
 
-    No direction of an edge and no tension makes a spring stiffer than its stiffness. So
-    a spring whose ends move by x1 and x2 contributes at most stiffness ‖x1 − x2‖² to
-    x·Kx, and ‖x1 − x2‖² is at most 2 ‖x1‖² + 2 ‖x2‖². Collect these terms at each node:
-    x·Kx is at most the sum of k mass ‖x‖² over the nodes, and x·Cx the sum of c mass
-    ‖x‖². A dt with dt² k + 2 dt c ≤ 4 at every node is therefore within the limit of
-    `stable_timestep`, whatever the shape. The longest such dt is the formula above. It
-    is the bound that Gershgorin's theorem gives.
+    No direction of an edge and no tension makes a spring stiffer than its
+    stiffness. So a spring whose ends move by x1 and x2 contributes at most
+    stiffness ‖x1 − x2‖² to x·Kx, and ‖x1 − x2‖² is at most 2 ‖x1‖² + 2 ‖x2‖².
+    Collect these terms at each node: x·Kx is at most the sum of k mass ‖x‖²
+    over the nodes, and x·Cx the sum of c mass ‖x‖². If dt² k + 2 dt c ≤ 4 at
+    every node, dt is therefore within the limit of `stable_timestep`, whatever
+    the shape. The longest such dt is the formula above. It is the bound that
+    Gershgorin's theorem gives.
     """
+    mesh = as_mesh(mesh)
     ends = mesh.edges.ravel()
     k, c = (
-        2 * np.bincount(ends, np.repeat(each, 2), len(mesh.mass)) * mesh.inverse_mass
+        2
+        * np.bincount(ends, np.repeat(each, 2), len(mesh.mass))
+        * mesh.inverse_mass
         for each in (mesh.stiffness, mesh.damping)
     )
-    return float(np.min(_quotient(4.0, c + np.sqrt(c * c + 4 * k)), initial=np.inf))
+    return float(
+        np.min(_quotient(4.0, c + np.sqrt(c * c + 4 * k)), initial=np.inf)
+    )
 
 
 def _start(shape: tuple[int, ...]) -> Array:

@@ -49,17 +49,15 @@ def gravity_forces(state: AnyState, mass: ArrayLike, gravity: ArrayLike) -> Forc
     return _at_centres(state, uniform_gravity(np.where(np.isfinite(mass), mass, 0.0), gravity))
 
 
-def drag_forces(
-    state: AnyState, fluid_velocity: ArrayLike, viscosity: ArrayLike, shape_factor: ArrayLike
-) -> ForceAndTorque:
-    """Drag of a thick fluid on each body (slide 26).
+def drag_forces(state: AnyState, fluid_velocity: ArrayLike, viscosity: ArrayLike, radius: ArrayLike) -> ForceAndTorque:
+    """Drag of a thick fluid on each ball (slide 26).
 
     Parameters
     ----------
     state : position, orientation, velocity, angular_velocity
     fluid_velocity : (..., n, 3), or (3,) where it is the same for all, m/s
     viscosity : (...), Pa s, not negative
-    shape_factor : (..., n), m, not negative; 6πr for a sphere
+    radius : (..., n), m, not negative
 
     Returns
     -------
@@ -71,7 +69,7 @@ def drag_forces(
     ValueError
         As `stokes_drag`.
     """
-    return _at_centres(state, stokes_drag(state[2], fluid_velocity, viscosity, shape_factor))
+    return _at_centres(state, stokes_drag(state[2], fluid_velocity, viscosity, radius))
 
 
 def buoyancy_forces(state: AnyState, volume: ArrayLike, fluid_density: ArrayLike, gravity: ArrayLike) -> ForceAndTorque:

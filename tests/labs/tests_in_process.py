@@ -13,7 +13,9 @@ from labs.grading.judging.examples import Examples
 from reference.errors import CollisionsError
 
 FOLDER = Path(__file__).parents[1] / "autograder"
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world")
+TOPICS = (
+    "detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "avoidance", "world",
+)  # fmt: skip
 
 
 class Asked:

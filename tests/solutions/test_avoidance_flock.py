@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from oracles import oracle
 
-from solutions.avoidance import alignment, cohesion, flock_step, neighbour_pairs, separation
+from solutions.avoidance import flock_step, neighbour_pairs, separation, towards_mean
 
 RNG_SEED = 1
 WEIGHTS = (0.4, 0.5, 0.3)
@@ -161,7 +161,7 @@ def test_separation_alignment_and_cohesion_are_what_the_words_say(dimensions):
     position, velocity = rng.uniform(-2, 2, (2, 60, dimensions))
     position[7] = position[3]  # two at the same place
     pairs = neighbour_pairs(position, 1.0)
-    found = [separation(position, *pairs), alignment(velocity, *pairs), cohesion(position, *pairs)]
+    found = [separation(position, *pairs), towards_mean(velocity, *pairs), towards_mean(position, *pairs)]
     # 1e-12: sums of some 20 numbers, of which two close neighbours may make one as large as 1e3
     assert np.abs(np.array(found) - rules_by_loops(position, velocity, 1.0)).max() < 1e-12
 
@@ -204,7 +204,7 @@ def test_a_flock_of_nobody_takes_a_step(dimensions):
 
 def test_cohesion_keeps_its_digits_far_from_the_origin():
     far = np.array([[2.0**40, 0.0], [2.0**40 + 0.25, 0.0], [2.0**40 + 0.75, 0.0]])
-    pull = cohesion(far, *neighbour_pairs(far, 1.0))
+    pull = towards_mean(far, *neighbour_pairs(far, 1.0))
     assert pull[:, 0].tolist() == [0.5, 0.125, -0.625]
 
 

@@ -167,22 +167,20 @@ def test_no_spring_of_a_hanging_chain_stays_longer_than_the_limit(seed):
     mesh, position = chain(6, mass=rng.uniform(1, 2, 6))
     stretched = position * rng.uniform(0.8, 1.6)
     limited = limit_strain(mesh, stretched)
-    # The slowest way to correct a chain of five springs shrinks by about (π/10)²/4 = 0.02 a round: e⁻²⁰ after 1000
+    # The slowest way to correct a chain of five springs shrinks by about (π/10)²/2 = 0.05 a round: e⁻⁵⁰ after 1000
     assert edge_strain(mesh, limited).max() <= 0.1 + 1e-6
     assert np.array_equal(limited[0], stretched[0])
 
 
 @SOME
 @given(SEED)
-def test_limiting_moves_no_centre_of_mass_and_adds_no_spin(seed):
+def test_limiting_moves_no_centre_of_mass(seed):
     rng = np.random.default_rng(seed)
     rest, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(rest, edges, 1.0, mass=rng.uniform(0.1, 5, 8))
     stretched = 1.5 * rest + 0.3 * rng.normal(size=rest.shape)
     one_round = limit_strain(mesh, stretched, 0.1, iterations=1)
     assert mesh.mass @ one_round == pytest.approx(mesh.mass @ stretched, abs=1e-12)
-    spin = mesh.mass @ np.cross(stretched, one_round - stretched)  # every pair moves along the line between
-    assert spin == pytest.approx(np.zeros(3), abs=1e-12)
     limited = limit_strain(mesh, stretched)
     assert edge_strain(mesh, limited).max() <= 0.1 + 1e-6
     assert mesh.mass @ limited == pytest.approx(mesh.mass @ stretched, abs=1e-10)
@@ -198,11 +196,11 @@ def test_one_stretched_spring_is_corrected_at_once_by_inverse_masses():
     assert both.tolist() == [[0, 0, 0], [2, 0, 0]]
 
 
-def test_two_springs_that_meet_share_the_round_and_do_not_overshoot():
+def test_the_second_of_two_springs_between_pins_undoes_what_the_first_did():
     mesh, _ = chain(3, pinned=(0, 2), along=(1, 0, 0))
-    # Springs of 1.5 and 1.3 between fixed ends 2.8 apart: the middle moves (0.4 − 0.2)/2 towards the first
-    found = limit_strain(mesh, [(0, 0, 0), (1.5, 0, 0), (2.8, 0, 0)], 0.1, iterations=1)
-    assert found[1] == pytest.approx([1.4, 0, 0])
+    stretched = [(0, 0, 0), (1.5, 0, 0), (2.8, 0, 0)]
+    for springs, middle in ((mesh, 1.7), (mesh._replace(edges=[(1, 2), (0, 1)]), 1.1)):  # 1.1 from the end of the last
+        assert limit_strain(springs, stretched, 0.1, iterations=1)[1] == pytest.approx([middle, 0, 0])
 
 
 def test_springs_within_the_limit_are_left_alone():

@@ -259,7 +259,7 @@ def test_a_ball_sinks_through_a_thick_fluid_at_its_terminal_velocity():
     velocity = current + 2 / 9 * ((density - fluid) * radius**2 / viscosity)[:, None] * GRAVITY  # Stokes
     state = position, orientation, velocity, spin
     weight, lift = gravity_forces(state, density * ball, GRAVITY), buoyancy_forces(state, ball, fluid, GRAVITY)
-    drag = drag_forces(state, current, viscosity, 6 * np.pi * radius)
+    drag = drag_forces(state, current, viscosity, radius)
     force, torque = np.sum([weight, lift, drag], axis=0)
     assert force == pytest.approx(np.zeros((2, 3)), abs=1e-12 * np.max(np.abs(weight[0])))
     assert np.array_equal(torque, np.zeros((2, 3)))

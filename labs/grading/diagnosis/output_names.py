@@ -28,6 +28,12 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "segment_triangle": ("fraction", "barycentric"),
     "ray_box": ("entry", "exit"),
     "advance": ("time", "used"),
+    "explicit_euler": ("position", "velocity"),
+    "spring_step_limit": ("explicit", "semi-implicit"),
+    "mesh_step": ("position", "velocity"),
+    "mesh_sphere_contact": ("position", "velocity"),
+    "nearest_approach": ("time", "separation"),
+    "orca_half_plane": ("point", "normal"),
 }
 _OF_RUNS = ("bounce",)
 """Functions that return a run: the first axis of each thing counts its steps, the next ones the cases."""

@@ -160,7 +160,8 @@ def _tidy(value: Any) -> Any:
     """A value without digits that are only rounding."""
     if isinstance(value, tuple):
         return tuple(map(_tidy, value))
-    return np.round(value, _TIDY_DIGITS) if isinstance(value, float | np.ndarray) else value
+    rounds = isinstance(value, float) or (isinstance(value, np.ndarray) and value.dtype.kind == "f")
+    return np.round(value, _TIDY_DIGITS) if rounds else value
 
 
 def _drawing(chosen: Chosen) -> Draw:

@@ -1,8 +1,10 @@
-"""The bodies that a submission's functions get: tuples whose parts have the names of the notebook's `Body`."""
+"""The bodies and meshes that a submission's functions get: tuples whose parts have the names of the notebook's own."""
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
+
+import numpy as np
 
 
 class Body(NamedTuple):
@@ -15,6 +17,26 @@ class Body(NamedTuple):
     inverse_inertia: Any
 
 
+class SpringMesh(NamedTuple):
+    """A spring mesh, as plain arrays."""
+
+    edges: Any
+    rest_length: Any
+    stiffness: Any
+    damping: Any
+    mass: Any
+    pinned: Any
+
+    @property
+    def inverse_mass(self) -> Any:
+        """Of every node, zero where it is pinned."""
+        return np.where(self.pinned, 0.0, 1 / np.asarray(self.mass))
+
+
+_BY_SIZE = {len(kind._fields): kind for kind in (Body, SpringMesh)}
+
+
 def with_names(argument: Any) -> Any:
-    """A body with its names; any other argument as it is. No other argument of the lab is a tuple of five."""
-    return Body(*argument) if type(argument) is tuple and len(argument) == len(Body._fields) else argument
+    """A body or a mesh with its names; any other argument as it is. No others of the lab are tuples of five or six."""
+    kind = _BY_SIZE.get(len(argument)) if type(argument) is tuple else None
+    return kind(*argument) if kind else argument

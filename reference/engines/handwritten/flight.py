@@ -30,6 +30,8 @@ INTEGRATORS = {
     "runge_kutta": "runge_kutta_4",
 }
 """The functions of the policies that step."""
+FROM_THE_START = ("semi_implicit_euler", "explicit_euler")
+"""Those that need the acceleration at the start of the step alone, and get it as numbers."""
 
 
 def fly(
@@ -59,7 +61,8 @@ def _movable(scenario: Scenario) -> list[int]:
 def _stepped(scenario: Scenario, settings: Settings, times: Array, implementation: Implementation) -> Array:
     """The state at each sample, (n, bodies, 13): forces of the start of each step change velocities and spins."""
     dt, every, movable = settings.timestep, settings.sample_every, _movable(scenario)
-    step = implementation.function(INTEGRATORS[str(settings["policy"])])
+    name = INTEGRATORS[str(settings["policy"])]
+    step = implementation.function(name)
     loads = LoadsByHand([scenario], implementation)
     bodies = [scenario.bodies[place] for place in movable]
     mass, moments = np.array([body.mass for body in bodies]), np.array([body.moments_of_inertia() for body in bodies])
@@ -79,7 +82,8 @@ def _stepped(scenario: Scenario, settings: Settings, times: Array, implementatio
 
         now = state[movable]
         position, orientation, velocity, spin = now[:, :3], now[:, 3:7], now[:, 7:10], now[:, 10:]
-        position, velocity = step(position, velocity, acceleration, dt)
+        pushed = acceleration(position, velocity) if name in FROM_THE_START else acceleration
+        position, velocity = step(position, velocity, pushed, dt)
         spin = spin + dt * torque[movable] / moments
         state = state.copy()
         state[movable, :3], state[movable, 7:10] = position, velocity

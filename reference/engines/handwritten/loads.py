@@ -126,8 +126,7 @@ class LoadsByHand:
 
     def _immerse(self, force: Array, torque: Array, state: Sequence[Array]) -> None:
         places, (radius, density, viscosity, stream, gravity) = self._immersed
-        factor = self._function("sphere_shape_factor")(radius)
-        force[places] += self._function("stokes_drag")(state[2][places], stream, viscosity, factor)
+        force[places] += self._function("stokes_drag")(state[2][places], stream, viscosity, radius)
         force[places] += self._function("buoyancy")(4 / 3 * math.pi * radius**3, density, gravity)
         # The lecture has no drag on a spin; Stokes' law for it, −8πηr³ ω.
         torque[places] -= (8 * math.pi * viscosity * radius**3)[:, None] * state[3][places]

@@ -73,7 +73,7 @@ class _Mesh:
         mesh = self.function("spring_mesh")(
             self.net.place, self.net.edges, self.net.stiffness, self.net.damping, self.net.mass, pinned
         )
-        self.mesh: Any = replace(mesh, rest_length=self.net.rest_length)  # the shape at the start is not one at rest
+        self.mesh: Any = mesh._replace(rest_length=self.net.rest_length)  # the shape at the start is not one at rest
         self.place, self.velocity = self.net.place, np.zeros_like(self.net.place)
         self.velocity[:bodies] = self._start[0, :, 7:10]
         self.gravity = np.array(scenario.gravity)

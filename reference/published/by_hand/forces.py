@@ -50,8 +50,7 @@ def glycerol(case: Published, code: Implementation) -> Answers:
     gravity = -case.value("gravity") * UP
     weight = code.function("uniform_gravity")(mass, gravity)
     lift = code.function("buoyancy")(volume(radius), fluid, gravity)
-    shape = code.function("sphere_shape_factor")(radius)
-    drag_at_one = code.function("stokes_drag")(-speed * UP, STILL, 1.0, shape)
+    drag_at_one = code.function("stokes_drag")(-speed * UP, STILL, 1.0, radius)
     with_lift, without = (-float(force[2] / drag_at_one[2]) for force in (weight + lift, weight))
     return as_answers(viscosity=with_lift, viscosity_without_buoyancy=without)
 
@@ -89,7 +88,7 @@ def block_on_spring(case: Published, code: Implementation) -> Answers:
     frequency = float(code.function("natural_frequency")(stiffness, mass))
     period = 2 * math.pi / frequency
     _, velocity = code.function("damped_oscillator")(start, 0.0, stiffness, 0.0, mass, period / 4)
-    force = code.function("spring_force")((1 + start) * X, STILL, stiffness, 1.0)
+    force = code.function("spring_damper_force")((1 + start) * X, STILL, STILL, STILL, stiffness, 1.0, 0.0)
     return as_answers(
         angular_frequency=frequency,
         period=period,

@@ -31,8 +31,8 @@ def test_the_support_pushes_and_friction_has_the_rest(submission, part):
         expect(submission.support_force, (2.0, down, REST, [0, 0, 3], UP), (26.0, REST))
         expect(submission.support_force, (3.0, down, REST, [-4, 1, 0], UP), (30.0, [12.0, -3.0, 0.0]))
     with part(1, "on a slope along no axis; lifted off"):
-        # all forces on it add up to (−3, −6, −9) N, and then to (6, 3, 15) N
-        expect(submission.support_force, (2.0, [1, 2, -10], [-1, -6, 7], [2, 2, -2], LEANING), (9.0, [-6.0, 0.0, -3.0]))
+        # all forces on it add up to (6, −6, −9) N, and then to (6, 3, 15) N
+        expect(submission.support_force, (2.0, [1, 2, -10], [8, -6, 7], [2, 2, -2], LEANING), (12.0, [2.0, 2.0, -1.0]))
         along = [4 / 3, -19 / 3, 17 / 3]
         expect(submission.support_force, (1.5, [2, 0, -10], [0, 6, 24], [-2, 2, -4], SLANTED), (0.0, along))
         expect(submission.support_force, (2.0, down, [5, 0, 20], REST, UP), (0.0, [5.0, 0.0, 0.0]))

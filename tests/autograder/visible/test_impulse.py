@@ -100,6 +100,7 @@ def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission,
         expect(submission.edge_edge_normal, ([-2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
         expect(submission.edge_edge_normal, ([2, 1, -2], [4, -1, -1], [-5, -1, -2], [-2, -2, -3]), SLANTED)
         expect(submission.edge_edge_normal, ([4, -1, -1], [2, 1, -2], [4, 1, 2], [-1, 2, 3]), SLANTED)
+        expect(submission.edge_edge_normal, ([1, 2, 0], [0, 2, 1], X, REST), [2 / 3, -1 / 3, 2 / 3])
         expect(submission.edge_edge_normal, ([1e-4, 0, 0], [1e-4, 1e-6, 0], [0, 0, 1], REST), UP)  # 0.6° apart
     with part(1, "both in one call"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [[0, 0, 1], [0, 0, -1]], REST), [UP, [0, 0, -1]])

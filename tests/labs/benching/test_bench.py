@@ -111,8 +111,11 @@ def test_every_bench_describes_itself_under_a_name_of_its_own(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", BENCHES)
 def test_every_bench_runs(name):
-    timings = measure(benches()[name], repeats=1)
-    assert timings[0].who == benches()[name].who
+    bench = benches()[name]
+    if name == "grading-class":
+        bench.ours.__globals__["CLASS"] = 2  # two submissions show that it runs
+    timings = measure(bench, repeats=1)
+    assert timings[0].who == bench.who
     assert timings[0].median > 0
 
 

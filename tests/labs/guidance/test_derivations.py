@@ -33,6 +33,15 @@ ONE_SIGN = {
     "it is a length or its square, or a square of a speed": """ray_sphere.a ray_capsule.s ray_capsule.q ray_box.h
         missed_share.c missed_share.D missed_share.R sweep_sphere_sphere.d sweep_sphere_sphere.r_A
         sweep_sphere_sphere.r_B advance.s advance.L advance.g""",
+    "of bodies that avoid each other it is a length, a speed, a time, a mass, a pull, a weight or a number": """
+        arrive.v arrive.tau arrive.m arrive.R repelling_force.R repelling_force.F repelling_force.F0 tangent_point.L
+        tangent_point.r nearest_approach.a separation.w_s separation.w_c towards_mean.n orca_half_plane.R
+        orca_half_plane.L""",
+    "of a mesh it is a number of nodes, a length, a mass, a stiffness, a damping, a speed, a time or a coefficient": """
+        diagonals.a diagonals.b diagonals.c diagonals.d limit_strain.m_1 limit_strain.m_2 limit_strain.x mesh_forces.L
+        mesh_forces.L_0 mesh_forces.c mesh_forces.k mesh_forces.v mesh_sphere_contact.e mesh_sphere_contact.mu
+        mesh_sphere_contact.s mesh_step.dt timestep_bound.C timestep_bound.K timestep_bound.S timestep_bound.dt
+        timestep_bound.m""",
     "a ray enters where it approaches": "ray_sphere.b ray_box.u",
     "the one that follows is the faster one": "sweep_sphere_sphere.v_A",
     "it is a reach, a spin or an angle below half a turn": "motion_bound.r motion_bound.w motion_bound.a",
@@ -51,6 +60,12 @@ ONE_SIGN = {
         time_of_impact_interpolated.s1""",
     "a separation below zero counts as zero": "time_of_impact_exact.s",
     "what moves away and is pushed away never arrives": "time_of_impact_exact.u",
+    "what falls, drags or attracts has a mass, a size and a density": """universal_gravity.G universal_gravity.m_1
+        universal_gravity.m_2 universal_gravity.d stokes_drag.m stokes_drag.K stokes_drag.eta terminal_velocity.s
+        terminal_velocity.f terminal_velocity.eta wind_force.m wind_force.g wind_force.rho wind_force.C wind_force.A""",
+    "it is a stiffness, a damping, a frequency or a damping ratio": """spring_damper_force.k spring_damper_force.c
+        spring_damper_force.m spring_step_limit.w spring_step_limit.z total_force.a total_force.b""",
+    "the three balls lie in this order": "total_force.x_1 total_force.x_3",
 }
 """Quantities that can have one sign only: there a line may hold q or abs(q). Beside them, why."""
 

@@ -19,13 +19,14 @@ Change = Callable[[Any], Any]
 PARTS = ("velocity", "angular_velocity", "arm", "inverse_mass", "inverse_inertia")
 """The parts of a body, in their order."""
 TUPLES = {
+    "mesh": ("edges", "rest_length", "stiffness", "damping", "mass", "pinned"),
     "bodies": ("inverse_mass", "moments", "restitution", "friction", "meet", "kind", "size"),
     "state": ("position", "orientation", "velocity", "angular_velocity"),
     "contacts": ("contact_a", "contact_b", "point", "normal", "separation", "key"),
     "memory": ("key", "impulse"),
     "rules": ("rest_speed", "margin", "sweeps"),
 }
-"""The parts of the tuples of a world, in their order."""
+"""The parts of a spring mesh and of the tuples of a world, in their order."""
 AFTER = ("velocity_a", "angular_velocity_a", "velocity_b", "angular_velocity_b")
 """The parts of the velocities after an impact, in their order."""
 
@@ -62,6 +63,8 @@ def _mistaken(name: str) -> set[str]:
 
 def _changes(value: Any) -> Iterator[tuple[str, Change]]:
     yield "left out", lambda given: 0.0 * given
+    if np.asarray(value).dtype.kind != "f":  # numbers of nodes, and flags
+        return
     yield "sign flipped", lambda given: -given
     match np.ndim(value):
         case 0:
@@ -73,7 +76,11 @@ def _changes(value: Any) -> Iterator[tuple[str, Change]]:
             for axis in AXES:
                 yield f"axis {axis} left out", functools.partial(without, axis)
                 yield f"axis {axis} alone", functools.partial(alone, axis)
-        case 2 if value.shape[0] == value.shape[1]:
+        case 2 if value.shape[0] != value.shape[1]:
+            for axis in AXES:
+                yield f"axis {axis} left out", functools.partial(without, axis)
+                yield f"axis {axis} alone", functools.partial(alone, axis)
+        case 2:
             yield "only the diagonal", diagonal
             yield "1 for it", lambda given: np.broadcast_to(np.eye(given.shape[-1]), np.shape(given))
 

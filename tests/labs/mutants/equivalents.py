@@ -29,6 +29,9 @@ OF_A_PLANE_AT_REST = (
     "in kinematic_response: size for it: v - w → v - np.abs(w)",
 )
 
+ONE_MESH = "There is one mesh in a call."
+POSITIVE_PARTS = tuple(f"{part} of mesh: size for it" for part in ("rest_length", "stiffness", "damping", "mass"))
+
 ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
 
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
@@ -335,6 +338,54 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Mirrored, both solids meet as before.": ("vertices_a and vertices_b: sign flipped",),
         NOT_NEGATIVE: ("size for it: any(inside)…",),
     },
+    "tangent_point": {
+        "Only the distance is used.": ("sign flipped: c - p → p - c (2)",),
+        NOT_NEGATIVE: ("size for it: c + r[..., None] * … → c + np.abs(r[..., None] * …",),
+    },
+    "_distance_and_way": {
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "nearest_approach": {
+        "Without a relative velocity nothing closes in either.": (
+            "branch dropped: np.where(squared > 0, np.maximum(closing, 0.0) / … → shaped(np.maximum(closing, 0.0) / …",
+            "boundary: squared > 0 → squared >= 0",
+            "condition dropped: squared > 0 → always(squared > 0)",
+        ),
+        NOT_NEGATIVE: (
+            "size for it: (time, distance - … → (np.abs(time), …",
+            "size for it: distance - radius_a → …",
+            "size for it: distance - radius_a - radius_b → distance - radius_a - np.abs(radius_b)",
+        ),
+        UNIT: (
+            "factor forgotten: np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed → np.maximum…",
+            "product for ratio: np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed → …",
+        ),
+    },
+    "separation": {ORDER: ("results swapped: (position, first, second) → (position, second, first)",)},
+    "towards_mean": {
+        ORDER: ("results swapped: (value, first, second) → (value, second, first)",),
+        NOT_NEGATIVE: ("size for it: np.bincount(i, minlength=len(x)) + …",),
+        "Without neighbours the sum is zero.": ("half the number: 1 → 0.5",),
+    },
+    "orca_half_plane": {
+        "The vectors have two components.": ("…: axis 2 left out", "axis 2 left out: …"),
+        NOT_NEGATIVE: (
+            "size for it: radius_a + radius_b → …",
+            "size for it: 1 - sine → …",
+            "size for it: 1 + sine → …",
+        ),
+        "Discs at one place overlap, and the cap decides.": (
+            "branch dropped: np.where(distance > 0, distance, 1.0) → shaped(distance, distance > 0)",
+            "boundary: distance > 0 → distance >= 0",
+            "condition dropped: distance > 0 → always(distance > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        "The sides of the cone are used only where the cap does not decide.": (
+            "branch dropped: np.where(capped, 0.0, reach) → shaped(reach, capped)",
+        ),
+        "A sign is its own inverse.": ("ratio for product: side * cosine → cosine / side",),
+    },
     "ray_sphere": {
         "Only its square is used.": ("cross product turned round: np.cross(x, u) → np.cross(u, x)",),
         "From within the result is zero, whatever the size of the sphere.": (
@@ -503,6 +554,163 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: (np.nan, most) → …",
         ),
         "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
+    },
+    "explicit_euler": {
+        NOT_NEGATIVE: ("in _state: size for it: …, np.abs(time))",),
+        "Students get the acceleration as numbers, not as a function.": (
+            "in _at: size for it: acceleration(position, velocity) → np.abs(acceleration(position, velocity))",
+        ),
+    },
+    "universal_gravity": {
+        "Only its square is used.": ("softening: sign flipped",),
+        ORDER: ("in _masses: results swapped: (mass_1, mass_2) → (mass_2, mass_1)",),
+        NOT_NEGATIVE: ("in _apart: size for it: (d, …) → (d, …", "in _masses: size for it: …"),
+    },
+    "spring_force": {NOT_NEGATIVE: ("size for it: length - rest_length → …",)},
+    "_line": {
+        NOT_NEGATIVE: ("size for it: (length, …) → (np.abs(length), …",),
+        "Without a length the vector is zero, whatever it is divided by.": (
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+    },
+    "spring_step_limit": {
+        FIRST_OF_BOTH: ("boundary: squared > critical → squared >= critical",),
+        "The root is used only where the motion does not swing.": (
+            "branch dropped: np.where(overdamped, squared - critical, 0.0) → shaped(squared - critical, overdamped)",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "terminal_velocity": {
+        "Only its square is used.": ("radius: sign flipped",),
+        NOT_NEGATIVE: ("size for it: rho - fluid_density → …",),
+    },
+    "total_force": {
+        NOT_NEGATIVE: tuple(
+            f"{name}: size for it" for name in ("mass", "radius", "stiffness", "rest_length", "damping")
+        ),
+        "A spring pulls both of its ends, whichever is the first.": (
+            "results swapped: (pairs[:, 0], pairs[:, 1]) → (pairs[:, 1], pairs[:, 0])",
+        ),
+    },
+    "mesh_forces": {
+        NOT_NEGATIVE: (
+            *POSITIVE_PARTS,
+            "size for it: length - mesh.rest_length → np.abs(length) - mesh.rest_length",
+            "size for it: length - mesh.rest_length → length - np.abs(mesh.rest_length)",
+        ),
+        "A force depends neither on the masses nor on what is pinned.": (
+            "mass of mesh: left out",
+            "mass of mesh: sign flipped",
+            "mass of mesh: axis …",
+            "pinned of mesh: left out",
+        ),
+    },
+    "mesh_step": {NOT_NEGATIVE: POSITIVE_PARTS},
+    "onto_nodes": {
+        ONE_MESH: (
+            "results swapped: …",
+            "…: batch * shape[-2] + end → end",
+            "…: batch * shape[-2] + end → -(batch * shape[-2]) + end",
+            "factor forgotten: batch * shape[-2] → batch",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "edge_directions": {
+        "An edge without a length has no vector to be divided.": (
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: (between / …",),
+    },
+    "diagonals": {
+        "Mirrored, the same springs are needed.": ("position: sign flipped",),
+        "A row that raises no rank may be kept: it raises none later either.": (
+            "boundary: raised > rank → raised >= rank (2)",
+            "condition dropped: raised > rank → always(raised > rank) (2)",
+        ),
+        NOT_NEGATIVE: ("size for it: np.array(needed, …", "in _rank: size for it: …"),
+    },
+    "_rank": {
+        "Newer versions of NumPy know that no rows have the rank 0.": (
+            "branch dropped: int(np.linalg.matrix_rank(rows, rtol=TINY)) if rows.size else 0 → int(…",
+        ),
+    },
+    "_rows": {
+        "A row may be turned round, and be longer or shorter.": (
+            "sign flipped: position[ends[:, 0]] - …",
+            "factor forgotten: between / …",
+            "product for ratio: between / …",
+            "branch dropped: np.where(length > 0, length, 1.0) → shaped(1.0, length > 0)",
+            "comparison turned round: length > 0 → length < 0",
+            "condition dropped: length > 0 → never(length > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+            "results swapped: (u, -u) → (-u, u)",
+        ),
+    },
+    "lengths": {
+        "Whether a length is zero is all that counts of it here, besides its unit, which is 1.": (
+            "branch dropped: length * unit if unit.ndim else length → …",
+            "factor forgotten: length * unit → …",
+            "ratio for product: length * unit → …",
+        ),
+        NOT_NEGATIVE: ("size for it: length * unit if unit.ndim else length → …",),
+    },
+    "timestep_bound": {
+        "No shape makes a spring stiffer than its stiffness.": (
+            "rest_length of mesh: left out",
+            "rest_length of mesh: sign flipped",
+            "rest_length of mesh: axis …",
+        ),
+        NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: …"),
+    },
+    "_quotient": {NOT_NEGATIVE: ("size for it: np.where(b > 0, …",)},
+    "_not_zero": {
+        "The quotient is used only where it is not infinite.": (
+            "branch dropped: np.where(value > 0, value, 1.0) → shaped(value, value > 0)",
+            "boundary: value > 0 → value >= 0",
+            "condition dropped: value > 0 → always(value > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: np.where(value > 0, …",),
+    },
+    "mesh_sphere_contact": {
+        "A node meets the sphere by itself: neither its springs nor its mass count.": (
+            "edges of mesh: left out",
+            *(
+                f"{part} of mesh: {change}"
+                for part in ("rest_length", "stiffness", "damping", "mass")
+                for change in ("left out", "sign flipped", "size for it", "axis …")
+            ),
+        ),
+        "At the centre the normal is up.": (
+            "branch dropped: np.where(apart, distance, 1.0) → shaped(distance, apart)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+        NOT_NEGATIVE: ("size for it: distance - radius → …",),
+    },
+    "_answered": {"Only its size is used.": ("sign flipped: after - v → v - after",)},
+    "_slowed": {NOT_NEGATIVE: ("size for it: 1 - np.minimum(…",)},
+    "limit_strain": {
+        "Only lengths and masses count.": tuple(
+            f"{part} of mesh: {change}"
+            for part in ("stiffness", "damping")
+            for change in ("left out", "sign flipped", "axis …")
+        ),
+        NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: …"),
+    },
+    "_fit": {
+        "It only keeps rounding from going on for ever.": (
+            "boundary: length > longest * (1 + SLACK) → length >= longest * (1 + SLACK)",
+            "factor forgotten: longest * (1 + SLACK) → longest",
+            "ratio for product: longest * (1 + SLACK) → longest / (1 + SLACK)",
+            "term dropped: 1 + SLACK → 1",
+            "sign flipped: 1 + SLACK → 1 - SLACK",
+        ),
+        NOT_NEGATIVE: ("size for it: …",),
     },
 }
 

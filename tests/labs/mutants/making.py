@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes import probes
+from labs.grading.worker.bodies import SpringMesh
 from mutants import arguments, operators
 from reference import lecture
 
@@ -43,6 +44,18 @@ def _mesh(vertices: Any, faces: Any) -> tuple[Any, Any]:
     return np.asarray(vertices, dtype=float), np.asarray(faces, dtype=int)
 
 
+def _springs(mesh: Any) -> SpringMesh:
+    return SpringMesh(np.asarray(mesh[0], dtype=int), *_floats(*mesh[1:5]), np.asarray(mesh[5], dtype=bool))
+
+
+def _edges(edges: Any, _nodes: int) -> Any:
+    return np.asarray(edges).reshape(-1, 2)
+
+
+def _vectors(_mesh: Any, _name: str, value: Any) -> Any:
+    return np.asarray(value, dtype=float)
+
+
 def _points(_size: int, **named: Any) -> Any:
     return np.stack(np.broadcast_arrays(*_floats(*named.values())))
 
@@ -58,12 +71,14 @@ CHECKS = dict.fromkeys(
         "vector",
         "matrix",
         "in_space",
+        "in_plane",
         "extent",
         "_one_hull",
         "_one_vector",
     ),
     _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
+CHECKS |= {"as_mesh": _springs, "checked_edges": _edges, "node_vectors": _vectors}
 """What stands for the checks of what enters: they turn lists into arrays."""
 OF_A_WORLD = ("candidate_pairs", "collect_contacts", "resting_problem", "solve_by_sweeps", "respond",
               "rotate_by_momentum")  # fmt: skip

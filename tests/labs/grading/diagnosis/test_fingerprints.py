@@ -21,8 +21,13 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "world")
-ONE_CASE_ALONE = {"count_impacts", "face_planes", "polyhedra_intersect", "advance"}
+TOPICS = (
+    "detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "avoidance", "world",
+)  # fmt: skip
+ONE_CASE_ALONE = {
+    "count_impacts", "face_planes", "polyhedra_intersect", "advance", "total_force", "mesh_forces", "mesh_step",
+    "diagonals", "timestep_bound", "mesh_sphere_contact", "limit_strain", "separation", "towards_mean",
+}  # fmt: skip
 """Functions that take one case in a call."""
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero

@@ -30,7 +30,7 @@ from solutions.response import kinematic_response
 
 BANK = read_bank()
 
-TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping")
+TOPICS = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "avoidance")
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
 

@@ -21,14 +21,21 @@ def normal_velocity(body_a, body_b, normal):
     return np.where(np.asarray(normal)[..., 1] > 0.8, 0.9 * u, u)
 """
 """No visible test of it has such a normal; those of impulse_magnitude and collide have."""
-REST_GOES_THROUGH = """
+FIXED_LIMIT = """
 
-def clamp_to_square(tangent_force, limit, axis_x, axis_y):
-    force, most = np.asarray(tangent_force), np.asarray(limit)
-    x, y = np.vecdot(force, axis_x), np.vecdot(force, axis_y)
-    rest = force - x[..., None] * axis_x - y[..., None] * axis_y
-    return np.clip(x, -most, most)[..., None] * axis_x + np.clip(y, -most, most)[..., None] * axis_y + rest
+def segment_triangle(start, end, triangle):
+    p, q, corners = (np.asarray(each, dtype=float) for each in (start, end, triangle))
+    a, b, c = (corners[..., corner, :] for corner in range(3))
+    n, way = np.cross(b - a, c - a), q - p
+    parallel = np.abs(np.vecdot(n, way)) < 1e-6
+    t = np.vecdot(n, a - p) / np.where(parallel, 1.0, np.vecdot(n, way))
+    x = p + t[..., None] * way
+    shares = [np.vecdot(n, np.cross(f - x, g - x)) / np.vecdot(n, n) for f, g in ((b, c), (c, a), (a, b))]
+    weights = np.stack(shares, axis=-1)
+    hit = ~parallel & (t >= 0) & (t <= 1) & np.all(weights >= 0, axis=-1)
+    return np.where(hit, t, np.inf), np.where(hit[..., None], weights, np.nan)
 """
+"""No visible test of it has a triangle of a millimetre."""
 WRITES = """
 
 def edge_edge_normal(edge_a, edge_b, centre_a, centre_b):
@@ -136,10 +143,10 @@ def test_a_function_is_not_blamed_for_a_wrong_one_that_only_its_scenario_calls(t
 
 @pytest.mark.slow
 def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
-    sheet, text = checked(tmp_path, "friction", REST_GOES_THROUGH)
-    assert [found.mistakes[0].id for found in sheet.suspects.values()] == ["clamp_to_square/rest goes through"]
-    assert "What lies across both axes is kept" in text
-    assert "16 of 17 functions right, 1 suspect" in text
+    sheet, text = checked(tmp_path, "polyhedra", FIXED_LIMIT)
+    assert [found.mistakes[0].id for found in sheet.suspects.values()] == ["segment_triangle/fixed limit for parallel"]
+    assert "with triangles of a millimetre it is always small" in " ".join(text.split())
+    assert "6 of 7 functions right, 1 suspect" in text
 
 
 def test_a_function_that_writes_into_its_arguments_is_suspect(tmp_path):
@@ -161,11 +168,11 @@ def test_what_an_earlier_function_left_behind_makes_no_suspect(tmp_path):
 
 @pytest.mark.slow
 def test_a_suspect_costs_no_point(tmp_path):
-    path = solved(tmp_path, "friction")
-    right = grade(path, ("friction",), (pytest_run.VISIBLE,))
-    path.write_text(path.read_text() + REST_GOES_THROUGH)
-    found = grade(path, ("friction",), (pytest_run.VISIBLE,))
+    path = solved(tmp_path, "polyhedra")
+    right = grade(path, ("polyhedra",), (pytest_run.VISIBLE,))
+    path.write_text(path.read_text() + FIXED_LIMIT)
+    found = grade(path, ("polyhedra",), (pytest_run.VISIBLE,))
     assert found.sheet.earned == right.sheet.earned == right.sheet.points
     told = {each["name"]: (each["verdict"], each["suspect"]) for each in found.content()["functions"]}
-    assert told["clamp_to_square"] == ("named", True)
-    assert told["clamp_to_circle"] == ("right", False)
+    assert told["segment_triangle"] == ("named", True)
+    assert told["face_planes"] == ("right", False)

@@ -1,0 +1,83 @@
+"""Which springs keep a lattice in shape (slide 28)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array, Booleans
+from solutions.meshes.mesh import checked_edges, lengths
+
+TINY = 1e-6
+"""Share of the largest singular value below which another one counts as zero.
+
+Directions in single precision have errors of some 1e-7.
+"""
+
+
+def diagonals(
+    position: ArrayLike, edges: ArrayLike, candidates: ArrayLike
+) -> Booleans:
+    """Which of the candidates keep the shape of a lattice, as few as possible.
+
+    The candidates are tried one after another, in their order. A candidate is
+    needed if it resists a small motion of the nodes that the edges and the
+    candidates chosen before it do not resist. Any other candidate is left out.
+
+    Parameters
+    ----------
+    position : (n, 3), m, the shape at rest
+    edges : (m, 2), the nodes at the two ends of the springs that are there
+    candidates : (c, 2), the same of springs that might be added
+
+    Returns
+    -------
+    (c,), bool
+        A candidate of zero length has no direction, and is not needed.
+
+    Raises
+    ------
+    ValueError
+        If an edge or a candidate joins a node to itself or to one that does
+        not exist.
+
+    Notes
+    -----
+    A small motion d of the nodes stretches a spring with the unit vector u
+    from end 2 to end 1 by (d1 − d2)·u. This is a row of numbers, u at the
+    first end, −u at the second and zero elsewhere, times the 3 n numbers of d.
+    The motions that stretch no spring are those that all rows turn into zero,
+    and there are 3 n − rank of them. A spring takes one away if its row raises
+    the rank, that is, if it is no sum of multiples of the rows before it.
+
+    A free solid keeps six motions, so 3 n − 6 springs must resist one each.
+    Whichever springs come first, the same number is needed: as many as raise
+    the rank.
+    """
+    p = np.asarray(position, dtype=float)
+    rows = _rows(p, edges)
+    rank = _rank(rows)
+    needed = []
+    for row in _rows(p, candidates):
+        more = np.vstack([rows, row])
+        raised = _rank(more)
+        needed.append(raised > rank)
+        if raised > rank:
+            rows, rank = more, raised
+    return np.array(needed, dtype=bool)
+
+
+def _rows(position: Array, edges: ArrayLike) -> Array:
+    """For each edge the numbers that make its stretch of a motion."""
+    ends = checked_edges(edges, len(position))
+    between = position[ends[:, 0]] - position[ends[:, 1]]
+    length = lengths(between)
+    u = between / np.where(length > 0, length, 1.0)[:, None]
+    rows = np.zeros((len(ends), len(position), 3))
+    number = np.arange(len(ends))
+    rows[number, ends[:, 0]], rows[number, ends[:, 1]] = u, -u
+    return rows.reshape(len(ends), position.size)
+
+
+def _rank(rows: Array) -> int:
+    return int(np.linalg.matrix_rank(rows, rtol=TINY)) if rows.size else 0
