@@ -15,7 +15,7 @@ from solutions.world.segments import ends_of, nearest_on_segments
 from solutions.world.shapes import Found, Placed
 from solutions.world.vectors import cross
 
-COINCIDENT = 1e-9
+ON_SURFACE = 1e-9
 """Share of a hull's size up to which a core is on its surface.
 
 The way from the hull to the core then gives no direction.
@@ -67,7 +67,7 @@ def capsule_hull(a: Placed, b: Placed, margin: float) -> Found:
     by_face = Nearest(over, out, ends[row, np.argmin(heights[pair, :, face], axis=1)])
     by_edge = _way_out(hull, ends, way)
     nearest = _where(by_edge.distance > over, by_edge, by_face)
-    outside = nearest.distance > COINCIDENT * hull.size
+    outside = nearest.distance > ON_SURFACE * hull.size
     nearest = _where(outside, _nearest_outside(hull, ends, way, heights[pair]), nearest)
 
     length, on = np.sqrt(np.vecdot(way, way)), ON_SIDE * hull.size

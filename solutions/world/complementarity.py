@@ -79,14 +79,15 @@ def solve_by_sweeps(
     Returns
     -------
     (..., m), N
-        A contact that moves nothing, A_ii = 0, gets no force. Where the forces are not
-        unique, the sweeps end at one of the solutions, which depends on the start and
-        on the order of the contacts.
+        A contact that moves nothing, A_ii = 0, gets no force. Where the forces
+        are not unique, the sweeps end at one of the solutions, which depends on
+        the start and on the order of the contacts.
 
     Raises
     ------
     ValueError
-        If the shapes do not fit, a number is not finite, or an A_ii is negative.
+        If the shapes do not fit, a number is not finite, or an A_ii is
+        negative.
 
     Notes
     -----

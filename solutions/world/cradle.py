@@ -19,10 +19,10 @@ def propagate_impacts(
     restitution: ArrayLike,
     most: int = 10_000,
 ) -> Array:
-    """Velocities of a row of touching balls after impacts of two balls at a time.
+    """Velocities of a row of touching balls after impacts of two at a time.
 
-    The pairs are resolved one after another from the left, and again from the left,
-    until no two balls approach.
+    The pairs are resolved one after another from the left, and again from the
+    left, until no two balls approach.
 
     Parameters
     ----------
@@ -39,8 +39,8 @@ def propagate_impacts(
     Raises
     ------
     ValueError
-        If a mass is not positive, two neighbours are immovable, e is not from 0 to 1, a
-        velocity is not finite, or the shapes do not fit.
+        If a mass is not positive, two neighbours are immovable, e is not from 0
+        to 1, a velocity is not finite, or the shapes do not fit.
 
     Notes
     -----

@@ -129,8 +129,12 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike) -> Integers:
     return np.argwhere(np.triu(begins_before_end & begins_before_end.T, 1))
 
 
-def collect_contacts(bodies: SimpleBodies, state: SimpleState, margin: float) -> SimpleContacts:
-    """The contacts of a world at an instant: boxes around bodies, then their surfaces.
+def collect_contacts(
+    bodies: SimpleBodies,
+    state: SimpleState,
+    margin: float,
+) -> SimpleContacts:
+    """The contacts of a world at an instant.
 
     Parameters
     ----------

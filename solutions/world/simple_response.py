@@ -87,15 +87,17 @@ def respond(
     sweeps: int,
     start: Array,
 ) -> tuple[Array, Array, Array]:
-    """Velocities at the end of a step, after all that forces and contacts do in it.
+    """Velocities at the end of a step, after its forces and contacts.
 
     Parameters
     ----------
     bodies : inverse_mass, moments, restitution, friction, meet, kind, size
-    state : position, orientation, velocity, angular_velocity, where the step begins
+    state : position, orientation, velocity, angular_velocity
+        Where the step begins.
     contacts : body_a, body_b, point, normal, separation, key, with m contacts
         Those of two bodies follow one another.
-    load : (n, 6), force and torque on each body, its weight included, N and N m
+    load : (n, 6), force and torque on each body, N and N m
+        Its weight is included.
     dt : s
     rest_speed : m/s
         A contact whose points close no faster than this rests (slide 21).

@@ -38,7 +38,7 @@ def step_world(
     -------
     position, orientation, velocity, angular_velocity : the state at the end
     key, impulse : (m,) and (m, 3), the memory for the next step
-        What `respond` says of the contacts that were found where the step begins.
+        What `respond` says of the contacts where the step begins.
 
     Notes
     -----

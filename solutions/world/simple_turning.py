@@ -32,8 +32,8 @@ def rotate_by_momentum(
     orientation : (..., 4)
         Turned by the whole ω dt, with ω as it is at the start.
     angular_velocity : (..., 3), in the world frame, rad/s
-        The one with which the body, as it now lies, has the angular momentum of
-        the start. A body with infinite moments keeps its ω.
+        The one with which the body, as it now lies, has the angular momentum
+        of the start. A body with infinite moments keeps its ω.
 
     Raises
     ------
