@@ -51,12 +51,19 @@ def run_world(
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
         if count < least or count != int(count):
-            raise ValueError(f"{name} must be a whole number from {least}, not {count}")
+            raise ValueError(
+                f"{name} must be a whole number from {least}, not {count}"
+            )
     kept, memory = [state], NOTHING
     for count in range(1, steps + 1):
         acting = [force(state) for force in forces]
-        force, torque = (sum((each[part] for each in acting), np.zeros(3)) for part in (0, 1))
-        state, memory, _ = advance_world(bodies, state, acceleration, dt, rules, memory, force, torque)
+        force, torque = (
+            sum((each[part] for each in acting), np.zeros(3))
+            for part in (0, 1)
+        )
+        state, memory, _ = advance_world(
+            bodies, state, acceleration, dt, rules, memory, force, torque
+        )
         if count % every == 0:
             kept.append(state)
     return State(*(np.stack(parts) for parts in zip(*kept, strict=True)))

@@ -2,15 +2,16 @@
 
 A world is two tuples of arrays, with one entry for each of its n bodies.
 
-    bodies: inverse_mass (n,), moments (n, 3), restitution (n, n), friction (n, n),
+    bodies: inverse_mass (n,), moments (n, 3), restitution (n, n), friction (n,
+    n),
             meet (n, n), kind (n,), size (n, 3)
     state:  position (n, 3), orientation (n, 4), velocity (n, 3),
             angular_velocity (n, 3)
 
-The kinds are 0, a ball of the radius size[0]; 1, a box with the half extents size; and
-2, a half-space below a plane through its position with the normal size, along its own
-axes. An immovable body has the inverse mass 0 and infinite moments. Two bodies that do
-not `meet` go through each other.
+The kinds are 0, a ball of the radius size[0]; 1, a box with the half extents
+size; and 2, a half-space below a plane through its position with the normal
+size, along its own axes. An immovable body has the inverse mass 0 and infinite
+moments. Two bodies that do not `meet` go through each other.
 """
 
 from __future__ import annotations
@@ -22,7 +23,11 @@ from solutions.arrays import Array, Booleans, Integers
 from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.hull_pairs import FEATURES, hull_half_space, hull_hull
-from solutions.world.round_pairs import sphere_box, sphere_half_space, sphere_sphere
+from solutions.world.round_pairs import (
+    sphere_box,
+    sphere_half_space,
+    sphere_sphere,
+)
 from solutions.world.shapes import Placed
 
 BALL, CUBOID, PLANE = range(3)
@@ -43,7 +48,9 @@ TOUCHES = {
 """The function that finds where two bodies touch, by their kinds."""
 
 
-def manifolds(bodies: SimpleBodies, state: SimpleState, pairs: ArrayLike, margin: float) -> SimpleContacts:
+def manifolds(
+    bodies: SimpleBodies, state: SimpleState, pairs: ArrayLike, margin: float
+) -> SimpleContacts:
     """All places at which some pairs of bodies touch, or nearly do.
 
     Parameters
@@ -64,30 +71,53 @@ def manifolds(bodies: SimpleBodies, state: SimpleState, pairs: ArrayLike, margin
     position, rotation = state[0], rotation_matrix(state[1])
     first, second = np.asarray(pairs, dtype=np.int64).reshape(-1, 2).T
     turn = kind[first] > kind[second]
-    first, second = np.where(turn, second, first), np.where(turn, first, second)
-    none = np.zeros(0, dtype=np.int64), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(0, dtype=np.int64)
+    first, second = (
+        np.where(turn, second, first),
+        np.where(turn, first, second),
+    )
+    none = (
+        np.zeros(0, dtype=np.int64),
+        np.zeros((0, 3)),
+        np.zeros((0, 3)),
+        np.zeros(0),
+        np.zeros(0, dtype=np.int64),
+    )
     found = [none]
     for kinds, touch in TOUCHES.items():
-        chosen = np.flatnonzero((kind[first] == kinds[0]) & (kind[second] == kinds[1]))
+        chosen = np.flatnonzero(
+            (kind[first] == kinds[0]) & (kind[second] == kinds[1])
+        )
         if len(chosen):
             a = _placed(kinds[0], first[chosen], position, rotation, size)
             b = _placed(kinds[1], second[chosen], position, rotation, size)
             touching = touch(a, b, margin)
             found.append((chosen[touching.pair], *touching[1:]))
-    pair, point, normal, separation, feature = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    pair, point, normal, separation, feature = (
+        np.concatenate(parts) for parts in zip(*found, strict=True)
+    )
     order = np.argsort(pair, kind="stable")
     a, b = first[pair[order]], second[pair[order]]
     key = (a * len(kind) + b) * FEATURES + feature[order]
     return a, b, point[order], normal[order], separation[order], key
 
 
-def _placed(kind: int, number: Integers, position: Array, rotation: Array, size: Array) -> Placed:
+def _placed(
+    kind: int, number: Integers, position: Array, rotation: Array, size: Array
+) -> Placed:
     """Bodies of one kind, as the functions of `TOUCHES` take them."""
     at, turn, own = position[number], rotation[number], size[number]
-    corners, faces = np.zeros((len(number), 0, 3)), np.zeros((0, 3), dtype=np.int64)
+    corners, faces = (
+        np.zeros((len(number), 0, 3)),
+        np.zeros((0, 3), dtype=np.int64),
+    )
     if kind == CUBOID:
-        corners, faces = at[:, None] + (BOX_VERTICES * own[:, None]) @ turn.mT, BOX_FACES
-    elif kind == PLANE:  # only the third column of its rotation counts, the normal
+        corners, faces = (
+            at[:, None] + (BOX_VERTICES * own[:, None]) @ turn.mT,
+            BOX_FACES,
+        )
+    elif (
+        kind == PLANE
+    ):  # only the third column of its rotation counts, the normal
         turn = np.matvec(turn, own)[..., None] * np.array([0.0, 0.0, 1.0])
     return Placed(at, turn, own, corners, faces)
 
@@ -119,8 +149,8 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike) -> Integers:
         lower_i ≤ upper_j    and    lower_j ≤ upper_i
 
     The second condition is the first with i and j exchanged: the table of all
-    pairs and its transpose. This compares n² pairs. `pairs_in_grid` is for many
-    boxes: its time grows like n log n.
+    pairs and its transpose. This compares n² pairs. `pairs_in_grid` is for
+    many boxes: its time grows like n log n.
     """
     low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
     if not np.all(low <= high):
@@ -152,8 +182,8 @@ def collect_contacts(
     Notes
     -----
     A ball reaches as far as its radius r along every axis. A box with the half
-    extents h reaches as far along x as its farthest corner, R (±h_1, ±h_2, ±h_3).
-    Each sign may be chosen so that its term is positive. So it reaches
+    extents h reaches as far along x as its farthest corner, R (±h_1, ±h_2,
+    ±h_3). Each sign may be chosen so that its term is positive. So it reaches
 
         |R_x1| h_1 + |R_x2| h_2 + |R_x3| h_3
 
@@ -163,9 +193,15 @@ def collect_contacts(
     inverse_mass, *_, meet, kind, size = bodies
     position, orientation = state[:2]
     of_kind = kind[:, None]
-    reach = np.where(of_kind == BALL, size[:, :1], np.matvec(np.abs(rotation_matrix(orientation)), size))
+    reach = np.where(
+        of_kind == BALL,
+        size[:, :1],
+        np.matvec(np.abs(rotation_matrix(orientation)), size),
+    )
     reach = np.where(of_kind == PLANE, np.inf, reach) + margin / 2
     pairs = candidate_pairs(position - reach, position + reach)
     first, second = pairs.T
     movable = inverse_mass[first] + inverse_mass[second] > 0
-    return manifolds(bodies, state, pairs[movable & meet[first, second]], margin)
+    return manifolds(
+        bodies, state, pairs[movable & meet[first, second]], margin
+    )

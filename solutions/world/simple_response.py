@@ -6,10 +6,26 @@ import numpy as np
 
 from solutions.arrays import Array, Integers
 from solutions.friction import dissipative_impulse, point_inverse_mass
-from solutions.impulse import Body, apply_impulse, collide, point_velocity, relative_velocity, world_inverse_inertia
+from solutions.impulse import (
+    Body,
+    apply_impulse,
+    collide,
+    point_velocity,
+    relative_velocity,
+    world_inverse_inertia,
+)
 from solutions.world.complementarity import solve_by_sweeps
-from solutions.world.resting import contact_jacobian, inverse_mass_matrix, resting_problem, sequential_impulses
-from solutions.world.simple_contacts import SimpleBodies, SimpleContacts, SimpleState
+from solutions.world.resting import (
+    contact_jacobian,
+    inverse_mass_matrix,
+    resting_problem,
+    sequential_impulses,
+)
+from solutions.world.simple_contacts import (
+    SimpleBodies,
+    SimpleContacts,
+    SimpleState,
+)
 from solutions.world.vectors import tangents
 
 ROUNDS = 100
@@ -17,40 +33,61 @@ ROUNDS = 100
 SLOP, RECOVERY, PUSHES = 1e-6, 0.2, 20
 """How overlaps are moved away.
 
-The depth that is left alone, m; the share of the rest that a step takes; its sweeps.
+The depth that is left alone, m; the share of the rest that a step takes; its
+sweeps.
 """
 
 
 def contact_frames(contacts: SimpleContacts, position: Array) -> Array:
-    """The rows of the normal and of two directions along the surface, (m, 3, 6 n)."""
+    """Rows of the normal and of two tangents for each contact, (m, 3, 6 n)."""
     a, b, point, normal, *_ = contacts
     if not len(a):
         return np.zeros((0, 3, 6 * len(position)))
     arms = point - position[a], point - position[b]
-    rows = [contact_jacobian(a, b, each, *arms, len(position)) for each in (normal, *tangents(normal))]
+    rows = [
+        contact_jacobian(a, b, each, *arms, len(position))
+        for each in (normal, *tangents(normal))
+    ]
     return np.stack(rows, axis=1)
 
 
 def contacts_by_pair(contacts: SimpleContacts) -> list[Integers]:
-    """For each two bodies in touch, the numbers of their contacts, in order."""
+    """The numbers of the contacts of each two bodies in touch, in order."""
     pairs = np.stack(contacts[:2], axis=-1)
     starts = np.flatnonzero(np.any(pairs[1:] != pairs[:-1], axis=-1)) + 1
-    return [each for each in np.split(np.arange(len(pairs)), starts) if len(each)]
+    return [
+        each for each in np.split(np.arange(len(pairs)), starts) if len(each)
+    ]
 
 
 def collide_with_friction(
-    body_a: Body, body_b: Body, normal: Array, restitution: float, friction: float
+    body_a: Body,
+    body_b: Body,
+    normal: Array,
+    restitution: float,
+    friction: float,
 ) -> tuple[Array, Array, Array, Array]:
-    """Velocities v_A, ω_A, v_B, ω_B after an impact; without friction as `collide`."""
+    """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction."""
     if friction == 0:
         return collide(body_a, body_b, normal, restitution)
-    u = relative_velocity(point_velocity(*body_a[:3]), point_velocity(*body_b[:3]))
-    softness = sum(point_inverse_mass(each[3], each[4], each[2]) for each in (body_a, body_b))
-    return apply_impulse(body_a, body_b, dissipative_impulse(u, normal, softness, restitution, friction))
+    u = relative_velocity(
+        point_velocity(*body_a[:3]), point_velocity(*body_b[:3])
+    )
+    softness = sum(
+        point_inverse_mass(each[3], each[4], each[2])
+        for each in (body_a, body_b)
+    )
+    return apply_impulse(
+        body_a,
+        body_b,
+        dissipative_impulse(u, normal, softness, restitution, friction),
+    )
 
 
-def kept_impulses(memory: tuple[Integers, Array] | None, contacts: SimpleContacts) -> Array:
-    """Impulses (m, 3) of the last step where a place still touches, N s; else 0."""
+def kept_impulses(
+    memory: tuple[Integers, Array] | None, contacts: SimpleContacts
+) -> Array:
+    """Impulses (m, 3) of the last step where a place still touches, N s."""
     keys, found = contacts[-1], np.zeros((len(contacts[-1]), 3))
     if memory is not None:
         _, here, there = np.intersect1d(keys, memory[0], return_indices=True)
@@ -58,11 +95,16 @@ def kept_impulses(memory: tuple[Integers, Array] | None, contacts: SimpleContact
     return found
 
 
-def out_of_overlap(bodies: SimpleBodies, state: SimpleState, contacts: SimpleContacts, dt: float) -> Array:
-    """How far each body is moved and turned out of overlaps, (n, 6), m and rad.
+def out_of_overlap(
+    bodies: SimpleBodies,
+    state: SimpleState,
+    contacts: SimpleContacts,
+    dt: float,
+) -> Array:
+    """How far each body moves and turns out of overlaps, (n, 6), m and rad.
 
-    A share of what will overlap at the end of the step is moved away. No velocity
-    changes, so that no kinetic energy is gained.
+    A share of what will overlap at the end of the step is moved away. No
+    velocity changes, so that no kinetic energy is gained.
     """
     inverse_mass, moments, *_ = bodies
     position, orientation, velocity, spin = state
@@ -71,9 +113,13 @@ def out_of_overlap(bodies: SimpleBodies, state: SimpleState, contacts: SimpleCon
     ahead = contacts[4] + dt * (rows[:, 0] @ motion) + SLOP
     if not np.any(ahead < 0):
         return np.zeros((len(position), 6))
-    share = inverse_mass_matrix(inverse_mass, world_inverse_inertia(moments, orientation))
+    share = inverse_mass_matrix(
+        inverse_mass, world_inverse_inertia(moments, orientation)
+    )
     least = np.where(ahead < 0, -RECOVERY * ahead, -ahead)
-    push, _ = sequential_impulses(np.zeros_like(motion), rows, share, 0.0, PUSHES, least=least)
+    push, _ = sequential_impulses(
+        np.zeros_like(motion), rows, share, 0.0, PUSHES, least=least
+    )
     return push.reshape(-1, 6)
 
 
@@ -120,11 +166,11 @@ def respond(
     again, as in `propagate_impacts`, until none of them collides or `ROUNDS`
     are over.
 
-    **Rest.** The load would change the speeds of the contacts to G (v + M⁻¹ F dt).
-    A contact that has just collided is carried in this step, so that its points
-    part as fast as after the impacts. All others may close their gap and no
-    more. So each has a least speed, and with A and b of `resting_problem` the
-    impulses solve the problem of A and
+    **Rest.** The load would change the speeds of the contacts to G (v + M⁻¹ F
+    dt). A contact that has just collided is carried in this step, so that its
+    points part as fast as after the impacts. All others may close their gap
+    and no more. So each has a least speed, and with A and b of
+    `resting_problem` the impulses solve the problem of A and
 
         G v + b dt − least
 
@@ -139,7 +185,13 @@ def respond(
 
     def body(number: int, place: Array) -> Body:
         arm = place - position[number]
-        return Body(motion[number, :3], motion[number, 3:], arm, inverse_mass[number], inverse_inertia[number])
+        return Body(
+            motion[number, :3],
+            motion[number, 3:],
+            arm,
+            inverse_mass[number],
+            inverse_inertia[number],
+        )
 
     collided = np.zeros(len(a), dtype=bool)
     for _ in range(ROUNDS):
@@ -147,24 +199,47 @@ def respond(
         for pair in contacts_by_pair(contacts):
             closing = pair[rows[pair, 0] @ motion.ravel() < -rest_speed]
             if len(closing):
-                i, j, place = a[pair[0]], b[pair[0]], np.mean(point[closing], axis=0)
-                after = collide_with_friction(
-                    body(i, place), body(j, place), normal[pair[0]], restitution[i, j], friction[i, j]
+                i, j, place = (
+                    a[pair[0]],
+                    b[pair[0]],
+                    np.mean(point[closing], axis=0),
                 )
-                motion[i], motion[j] = np.concatenate(after[:2]), np.concatenate(after[2:])
+                after = collide_with_friction(
+                    body(i, place),
+                    body(j, place),
+                    normal[pair[0]],
+                    restitution[i, j],
+                    friction[i, j],
+                )
+                motion[i], motion[j] = (
+                    np.concatenate(after[:2]),
+                    np.concatenate(after[2:]),
+                )
                 collided[pair], quiet = True, False
         if quiet:
             break
 
-    share, normals = inverse_mass_matrix(inverse_mass, inverse_inertia), rows[:, 0]
+    share, normals = (
+        inverse_mass_matrix(inverse_mass, inverse_inertia),
+        rows[:, 0],
+    )
     matrix, gained = resting_problem(normals, share, load.ravel())
     parting = normals @ motion.ravel()
-    least = np.where(collided, np.maximum(parting, 0.0), -np.maximum(separation, 0.0) / dt)
-    pressed = solve_by_sweeps(matrix, parting + dt * gained - least, sweeps, start[:, 0])
+    least = np.where(
+        collided, np.maximum(parting, 0.0), -np.maximum(separation, 0.0) / dt
+    )
+    pressed = solve_by_sweeps(
+        matrix, parting + dt * gained - least, sweeps, start[:, 0]
+    )
     loaded = motion.ravel() + dt * share @ load.ravel()
-    ended, impulse = loaded + share @ normals.T @ pressed, pressed[:, None] * np.array([1.0, 0.0, 0.0])
+    ended, impulse = (
+        loaded + share @ normals.T @ pressed,
+        pressed[:, None] * np.array([1.0, 0.0, 0.0]),
+    )
     if np.any(friction[a, b]):
         begin = np.concatenate([pressed[:, None], start[:, 1:]], axis=-1)
-        ended, impulse = sequential_impulses(loaded, rows, share, friction[a, b], sweeps, begin, least)
+        ended, impulse = sequential_impulses(
+            loaded, rows, share, friction[a, b], sweeps, begin, least
+        )
     velocity, spin = np.split(ended.reshape(-1, 6), 2, axis=-1)
     return velocity, spin, impulse

@@ -7,8 +7,16 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
 from solutions.world.rotation import turned
-from solutions.world.simple_contacts import SimpleBodies, SimpleState, collect_contacts
-from solutions.world.simple_response import kept_impulses, out_of_overlap, respond
+from solutions.world.simple_contacts import (
+    SimpleBodies,
+    SimpleState,
+    collect_contacts,
+)
+from solutions.world.simple_response import (
+    kept_impulses,
+    out_of_overlap,
+    respond,
+)
 from solutions.world.simple_turning import rotate_by_momentum
 
 
@@ -42,23 +50,39 @@ def step_world(
 
     Notes
     -----
-    The order is that of semi-implicit Euler: the velocities first, and then the
-    positions with the new velocities. Contacts are looked for once, at the
-    places where the step begins, so a fast body may be in overlap before anybody
-    notices: this is slide 3's "after the fact".
+    The order is that of semi-implicit Euler: the velocities first, and then
+    the positions with the new velocities. Contacts are looked for once, at the
+    places where the step begins, so a fast body may be in overlap before
+    anybody notices: this is slide 3's "after the fact".
     """
     inverse_mass, moments, *_ = bodies
     position, orientation = state[:2]
     rest_speed, margin, sweeps = rules
-    mass = np.where(inverse_mass > 0, 1 / np.where(inverse_mass > 0, inverse_mass, 1.0), 0.0)
+    mass = np.where(
+        inverse_mass > 0,
+        1 / np.where(inverse_mass > 0, inverse_mass, 1.0),
+        0.0,
+    )
     push = mass[:, None] * np.asarray(acceleration) + force
     load = np.concatenate([push, np.broadcast_to(torque, push.shape)], axis=-1)
 
     contacts = collect_contacts(bodies, state, margin)
-    start = kept_impulses(memory, contacts)
-    velocity, spin, impulse = respond(bodies, state, contacts, load, dt, rest_speed, sweeps, start)
+    velocity, spin, impulse = respond(
+        bodies,
+        state,
+        contacts,
+        load,
+        dt,
+        rest_speed,
+        sweeps,
+        kept_impulses(memory, contacts),
+    )
 
-    way = out_of_overlap(bodies, (position, orientation, velocity, spin), contacts, dt)
+    way = out_of_overlap(
+        bodies, (position, orientation, velocity, spin), contacts, dt
+    )
     position = position + dt * velocity + way[:, :3]
-    orientation, spin = rotate_by_momentum(turned(orientation, way[:, 3:]), spin, moments, dt)
+    orientation, spin = rotate_by_momentum(
+        turned(orientation, way[:, 3:]), spin, moments, dt
+    )
     return position, orientation, velocity, spin, contacts[-1], impulse

@@ -43,8 +43,8 @@ def rotate_by_momentum(
 
     Notes
     -----
-    The angular momentum is L = I(q) ω with I(q) = R I_body Rᵀ. Without a torque
-    L stays. The body turns, so I(q) changes, and ω must change too:
+    The angular momentum is L = I(q) ω with I(q) = R I_body Rᵀ. Without a
+    torque L stays. The body turns, so I(q) changes, and ω must change too:
 
         ω⁺ = I⁻¹(q⁺) L
 
@@ -53,11 +53,19 @@ def rotate_by_momentum(
     `turn_freely` puts the turn together from parts that can be written down
     exactly, and its energy does not drift.
     """
-    q, w = np.asarray(orientation, dtype=float), in_space("angular_velocity", angular_velocity)
-    moments, dt = positive("moments", vector("moments", moments)), float(finite("dt", dt))
+    q, w = (
+        np.asarray(orientation, dtype=float),
+        in_space("angular_velocity", angular_velocity),
+    )
+    moments, dt = (
+        positive("moments", vector("moments", moments)),
+        float(finite("dt", dt)),
+    )
     q_after = turned(q, w * dt)
     free = np.isfinite(moments)
     own = np.vecmat(w, rotation_matrix(q))  # ω along the body's own axes
-    momentum = np.matvec(rotation_matrix(q), np.where(free, moments, 0.0) * own)
+    momentum = np.matvec(
+        rotation_matrix(q), np.where(free, moments, 0.0) * own
+    )
     w_after = np.matvec(world_inverse_inertia(moments, q_after), momentum)
     return q_after, np.where(np.all(free, axis=-1, keepdims=True), w_after, w)

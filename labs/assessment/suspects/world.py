@@ -75,4 +75,4 @@ SUSPECTS: dict[str, tuple[Any, ...]] = {
     "wagons": ("propagate_impacts", propagate_impacts, (3,), (4,), (5,)),
     "satellite": ("rotate_by_momentum", rotate_by_momentum, (4,), (3,)),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and the shapes that a result may have."""
