@@ -7,6 +7,7 @@ of the lab, which takes one scenario at a time (`small_world`).
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from dataclasses import fields
 from itertools import accumulate
@@ -20,11 +21,22 @@ from reference.engines.handwritten.loads import LoadsByHand
 from reference.engines.handwritten.rigid_bodies import moments_of_inertia
 from reference.engines.handwritten.world_settings import rules
 from reference.engines.implementation import Implementation
+from reference.errors import RunFailed
 from reference.scene import geometry, surfaces
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Contacts, Trajectory
+
+LOOKS_AFTER, LONGEST = 10.0, 100.0
+"""When it is looked at how long an ensemble will take in the world of the lab, and how long it may take, s.
+
+A job may take 300 s, and then it could only say that its process was stopped.
+"""
+TOO_SLOW = (
+    "too slow for {count} runs: your step_world took {taken:.0f} s for {done} of them, so that all would take"
+    " {whole:.0f} s; run one case, or take a longer timestep"
+)
 
 
 def is_small(implementation: Implementation) -> bool:
@@ -37,7 +49,7 @@ def run(
 ) -> list[Trajectory]:
     """Step scenarios in which contacts follow the same rules as one world; return the trajectories of all."""
     if is_small(implementation):
-        return [_run_small(engine, *each, settings, implementation) for each in zip(scenarios, steps, strict=True)]
+        return _run_one_by_one(engine, scenarios, steps, settings, implementation)
     told = [rules(scenario, settings) for scenario in scenarios]
     found: dict[int, Trajectory] = {}
     for alike in dict.fromkeys(told):
@@ -45,6 +57,20 @@ def run(
         own = [scenarios[place] for place in places], [steps[place] for place in places]
         found |= zip(places, _run_together(engine, *own, settings, alike, implementation), strict=True)
     return [found[place] for place in range(len(scenarios))]
+
+
+def _run_one_by_one(
+    engine: str, scenarios: Sequence[Scenario], steps: Sequence[int], settings: Settings, implementation: Implementation
+) -> list[Trajectory]:
+    """Step each scenario in the world of the lab; of an ensemble that would take too long, say so early."""
+    start, found = time.perf_counter(), list[Trajectory]()
+    for each in zip(scenarios, steps, strict=True):
+        found.append(_run_small(engine, *each, settings, implementation))
+        taken = time.perf_counter() - start
+        whole = taken / len(found) * len(scenarios)
+        if taken > LOOKS_AFTER and whole > LONGEST:
+            raise RunFailed(TOO_SLOW.format(count=len(scenarios), done=len(found), taken=taken, whole=whole))
+    return found
 
 
 def _run_small(

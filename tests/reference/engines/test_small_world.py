@@ -9,6 +9,7 @@ from reference.catalogue.scenarios import find
 from reference.comparison.results import Job
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
+from reference.engines.handwritten import world
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
 from reference.running.study import run_job
@@ -96,3 +97,12 @@ def test_a_wrong_result_is_told_in_words(tmp_path):
 def test_what_the_world_of_the_lab_lacks_is_named(tmp_path, text, name, needs):
     with pytest.raises(NeedsFunction, match=needs):
         trajectory(tmp_path, text, name)
+
+
+def test_an_ensemble_that_would_take_too_long_says_so_before_its_end(tmp_path, monkeypatch):
+    monkeypatch.setattr(world, "LOOKS_AFTER", 0.0)
+    monkeypatch.setattr(world, "LONGEST", 1e-3)  # s; one run of the ball takes longer
+    engine = load_engine("handwritten", Implementation(handed_in(tmp_path, FREE_FALL)))
+    scenario = find("projectile/v=12,θ=30°")[1].scenarios[0]
+    with pytest.raises(RunFailed, match=r"too slow for 50 runs: .* 1 of them"):
+        engine.run_many([scenario] * 50, engine.settings(scenario, "world"))
