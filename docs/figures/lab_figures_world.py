@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+from itertools import product
+from typing import Any
+
 import numpy as np
 from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board, unit
 from matplotlib.figure import Figure
-from matplotlib.patches import Polygon, Rectangle
+from matplotlib.patches import Circle, Polygon, Rectangle
+
+from labs.desk.own_world import BALL, BOX, FLOOR, PLANE, thing, world
+from solutions.forces import total_force
+from solutions.impulse import rotation_matrix
+from solutions.world import step_world
+from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 
 
 def tumbling(figure: Figure) -> None:
@@ -88,5 +97,93 @@ def timeline(figure: Figure) -> None:
             arrow(axes, (x + 1.16, 0), (0.18, 0), INK)
 
 
-LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (tumbling, reach, plank, timeline)}
+def own_engine(figure: Figure) -> None:
+    """What the simulator of the lab does: a heap, a jelly and a brick.
+
+    Three pictures from the side, each drawn at several instants, the last one darkest. Left: eight balls and a box have
+    fallen between two walls and lie in a heap. Middle: a cube of eight balls and springs falls on a floor and comes
+    to rest on it. Right: a brick that is thrown with a spin about its middle axis turns over.
+    """
+    for axes, draw in zip(figure.subplots(1, 3, width_ratios=(1, 1, 1.3)), (_heap, _jelly, _brick), strict=True):
+        axes.set_aspect("equal")
+        axes.set_axis_off()
+        draw(axes)
+
+
+def _run(things: list[Any], dt: float, steps: int, weight: float = 9.81, push: Any = None) -> tuple[Any, list[Any]]:
+    """Bodies, and the states of so many steps. push: the forces on the bodies in a state."""
+    bodies, state = world(things, 0.3, 0.4)
+    states, memory = [state], None
+    for _ in range(steps):
+        rules = 2 * 9.81 * dt, 1e-3, 10
+        force = (0.0, 0.0, 0.0) if push is None else push(states[-1])
+        *after, key, impulse = step_world(bodies, states[-1], (0.0, 0.0, -weight), dt, rules, memory, force)
+        states.append(tuple(after))
+        memory = key, impulse
+    return bodies, states
+
+
+def _outline(axes: Any, kind: int, size: Any, place: Any, turn: Any, alpha: float) -> None:
+    """A ball or a box as it is seen along y."""
+    style = {"fc": LIGHT, "ec": INK, "lw": 1.2, "alpha": alpha, "zorder": 2 - place[1]}
+    if kind == BALL:
+        axes.add_patch(Circle((place[0], place[2]), size[0], **style))
+        return
+    corners = place + (BOX_VERTICES * size) @ rotation_matrix(turn).T
+    for face in BOX_FACES:
+        normal = np.mean(corners[face], axis=0) - place
+        if normal[1] < 0:  # towards the one who looks
+            axes.add_patch(Polygon(corners[face][:, [0, 2]], joinstyle="round", **style))
+
+
+def _heap(axes: Any) -> None:
+    walls = [thing(PLANE, n, position=-0.3 * np.array(n)) for n in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))]
+    places = [
+        (x, y, 0.15 + 0.25 * k) for k in (0, 1) for x, y in ((-0.15, -0.2), (0.2, -0.1), (-0.15, 0.2), (0.15, 0.2))
+    ]
+    balls = [thing(BALL, 0.1, 1.0, place) for place in places]
+    box = thing(BOX, (0.12, 0.1, 0.08), 1.5, (0, 0, 0.8), (0.8, 0.4, 0.4, 0.2))
+    bodies, states = _run([FLOOR, *walls, *balls, box], 1 / 120, 240)
+    for k in range(5, len(bodies[0])):
+        _outline(axes, bodies[5][k], bodies[6][k], states[-1][0][k], states[-1][1][k], 1.0)
+    axes.plot([-0.3, -0.3, 0.3, 0.3], [0.6, 0, 0, 0.6], color=INK, lw=1.6)
+    axes.set(xlim=(-0.35, 0.35), ylim=(-0.05, 0.75))
+
+
+def _jelly(axes: Any) -> None:
+    ends = np.argwhere(np.triu(np.ones((8, 8)), 1))
+    corners = 0.3 * (np.array(list(product((0, 1), repeat=3))) - 0.5)
+    turn = rotation_matrix(np.array([0.9, 0.1, 0.4, 0.1]) / np.sqrt(0.99))
+    places = corners @ turn.T + (0, 0, 0.75)
+    rest = np.linalg.norm(places[ends[:, 0]] - places[ends[:, 1]], axis=-1)
+
+    def springs(state: Any) -> Any:
+        whole = np.zeros((9, 3))
+        mass, radius, stiff, soft = np.full(8, 0.25), np.full(8, 0.06), np.full(28, 250.0), np.full(28, 2.0)
+        moving = state[0][1:], state[2][1:], mass, radius
+        whole[1:] = total_force(*moving, np.zeros(3), 0.0, np.zeros(3), ends, stiff, rest, soft)
+        return whole
+
+    balls = [thing(BALL, 0.06, 0.25, place) for place in places]
+    _, states = _run([FLOOR, *balls], 1 / 240, 200, push=springs)
+    for number, alpha in ((0, 0.25), (200, 1.0)):
+        at = states[number][0][1:]
+        for a, b in ends:
+            axes.plot(*at[[a, b]][:, [0, 2]].T, color=BLUE, lw=0.8, alpha=alpha, zorder=1)
+        for place in at:
+            _outline(axes, BALL, (0.06, 0, 0), place, None, alpha)
+    axes.plot([-0.4, 0.4], [0, 0], color=INK, lw=1.6)
+    axes.set(xlim=(-0.4, 0.4), ylim=(-0.05, 1.1))
+
+
+def _brick(axes: Any) -> None:
+    brick = thing(BOX, (0.3, 0.05, 0.15), 1.0, (0, 0, 0), velocity=(1.1, 0, 2.2), spin=(0.2, 0.1, 6.0))
+    bodies, states = _run([brick], 0.004, 110, weight=5.0)
+    for number in range(0, 111, 22):
+        _outline(axes, BOX, bodies[6][0], states[number][0][0], states[number][1][0], 0.3 + 0.006 * number)
+    axes.autoscale_view()
+
+
+DRAWN = tumbling, reach, plank, timeline, own_engine
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in DRAWN}
 """The figures by name."""

@@ -243,6 +243,7 @@ _FUNCTIONS = (
     Function("turn_freely", "world", 2, 18, "read"),
     Function("mass_properties", "world", 2, 18, "read"),
     Function("turned", "world", 2, 18, "given"),
+    Function("inverse_inertias", "world", 2, 18, "given"),
     Function("candidate_pairs", "world", 3, 2, "written"),
     Function("pairs_in_grid", "world", 3, 2, "read"),
     Function("collect_contacts", "world", 3, 17, "written"),

@@ -41,7 +41,7 @@ from solutions.world.simple_response import (
     respond,
 )
 from solutions.world.simple_step import step_world
-from solutions.world.simple_turning import rotate_by_momentum
+from solutions.world.simple_turning import inverse_inertias, rotate_by_momentum
 from solutions.world.step import advance_world
 
 __all__ = [
@@ -61,6 +61,7 @@ __all__ = [
     "contacts_by_pair",
     "find_contacts",
     "in_principal_axes",
+    "inverse_inertias",
     "inverse_mass_matrix",
     "kept_impulses",
     "make_bodies",

@@ -6,14 +6,7 @@ import numpy as np
 
 from solutions.arrays import Array, Integers
 from solutions.friction import dissipative_impulse, point_inverse_mass
-from solutions.impulse import (
-    Body,
-    apply_impulse,
-    collide,
-    point_velocity,
-    relative_velocity,
-    world_inverse_inertia,
-)
+from solutions.impulse import Body, point_velocity, relative_velocity
 from solutions.world.complementarity import solve_by_sweeps
 from solutions.world.resting import (
     contact_jacobian,
@@ -26,6 +19,7 @@ from solutions.world.simple_contacts import (
     SimpleContacts,
     SimpleState,
 )
+from solutions.world.simple_turning import inverse_inertias
 from solutions.world.vectors import tangents
 
 ROUNDS = 100
@@ -68,20 +62,22 @@ def collide_with_friction(
     friction: float,
 ) -> tuple[Array, Array, Array, Array]:
     """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction."""
-    if friction == 0:
-        return collide(body_a, body_b, normal, restitution)
     u = relative_velocity(
         point_velocity(*body_a[:3]), point_velocity(*body_b[:3])
     )
     softness = sum(
-        point_inverse_mass(each[3], each[4], each[2])
-        for each in (body_a, body_b)
+        point_inverse_mass(body[3], body[4], body[2])
+        for body in (body_a, body_b)
     )
-    return apply_impulse(
-        body_a,
-        body_b,
-        dissipative_impulse(u, normal, softness, restitution, friction),
-    )
+    impulse = dissipative_impulse(u, normal, softness, restitution, friction)
+    return (*_pushed(body_a, impulse), *_pushed(body_b, -impulse))
+
+
+def _pushed(body: Body, impulse: Array) -> tuple[Array, Array]:
+    """Velocity and angular velocity of a body after an impulse at its contact."""
+    v, w, arm, inverse_mass, inverse_inertia = map(np.asarray, body)
+    turned = np.matvec(inverse_inertia, np.cross(arm, impulse))
+    return v + inverse_mass * impulse, w + turned
 
 
 def kept_impulses(
@@ -114,7 +110,7 @@ def out_of_overlap(
     if not np.any(ahead < 0):
         return np.zeros((len(position), 6))
     share = inverse_mass_matrix(
-        inverse_mass, world_inverse_inertia(moments, orientation)
+        inverse_mass, inverse_inertias(moments, orientation)
     )
     least = np.where(ahead < 0, -RECOVERY * ahead, -ahead)
     push, _ = sequential_impulses(
@@ -179,7 +175,7 @@ def respond(
     inverse_mass, moments, restitution, friction, *_ = bodies
     position, orientation, velocity, spin = state
     a, b, point, normal, separation, _ = contacts
-    inverse_inertia = world_inverse_inertia(moments, orientation)
+    inverse_inertia = inverse_inertias(moments, orientation)
     motion = np.concatenate([velocity, spin], axis=-1)
     rows = contact_frames(contacts, position)
 

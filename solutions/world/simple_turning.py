@@ -7,8 +7,18 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, in_space, positive, vector
-from solutions.impulse import rotation_matrix, world_inverse_inertia
+from solutions.impulse import rotation_matrix
 from solutions.world.rotation import turned
+
+
+def inverse_inertias(moments: ArrayLike, orientation: ArrayLike) -> Array:
+    """I⁻¹ of bodies along the axes of the world, (..., 3, 3), 1/(kg m²).
+
+    Along a body's own axes it has 1/moments, and 0 for an infinite one.
+    """
+    axes = rotation_matrix(orientation)
+    share = 1 / np.asarray(moments, dtype=float)
+    return np.asarray(np.einsum("...ij,...j,...kj->...ik", axes, share, axes))
 
 
 def rotate_by_momentum(
@@ -67,5 +77,5 @@ def rotate_by_momentum(
     momentum = np.matvec(
         rotation_matrix(q), np.where(free, moments, 0.0) * own
     )
-    w_after = np.matvec(world_inverse_inertia(moments, q_after), momentum)
+    w_after = np.matvec(inverse_inertias(moments, q_after), momentum)
     return q_after, np.where(np.all(free, axis=-1, keepdims=True), w_after, w)

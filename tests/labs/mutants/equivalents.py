@@ -483,7 +483,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "What is held keeps its spin, whatever its momentum.": (
             "branch dropped: np.where(free, moments, 0.0) → shaped(moments, free)",
         ),
-        SYMMETRIC: ("transposed: np.matvec(world_inverse_inertia(moments, q_after), momentum) → …",),
+        SYMMETRIC: ("transposed: np.matvec(inverse_inertias(moments, q_after), momentum) → …",),
     },
     "candidate_pairs": {
         NOT_NEGATIVE: ("size for it: np.argwhere(…",),
