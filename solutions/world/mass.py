@@ -23,7 +23,7 @@ from solutions.world.rotation import orientation_of, quaternion_product
 from solutions.world.shapes import Shape
 from solutions.world.volumes import length, tetrahedra, volume
 
-ROUNDING = 1e-12
+ROUNDING_OF_MASS = 1e-12
 """Share of a body's size up to which a centre counts as its origin.
 
 The same share of the largest moment counts as no product of inertia.
@@ -73,7 +73,9 @@ def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
         return np.zeros(3), np.full(3, np.inf), np.array(UPRIGHT)
     centre, inertia = _centre_and_inertia(shape, mass)
     moments, orientation = _principal(inertia)
-    if np.linalg.norm(centre) <= ROUNDING * np.sqrt(moments.max() / mass):
+    if np.linalg.norm(centre) <= ROUNDING_OF_MASS * np.sqrt(
+        moments.max() / mass
+    ):
         centre = np.zeros(3)
     return centre, moments, orientation
 
@@ -239,7 +241,10 @@ def _polyhedron(
 def _principal(inertia: Array) -> tuple[Array, Array]:
     """Moments (3,) and orientation (4,) of the principal axes of a matrix (3, 3)."""
     moments = np.diag(inertia)
-    if np.max(np.abs(inertia - np.diag(moments))) <= ROUNDING * moments.max():
+    if (
+        np.max(np.abs(inertia - np.diag(moments)))
+        <= ROUNDING_OF_MASS * moments.max()
+    ):
         return moments, np.array(UPRIGHT)
     moments, axes = np.linalg.eigh(inertia)
     axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])  # right-handed

@@ -11,7 +11,7 @@ from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, solve_sequentially
 
-ROUNDING = 1e-12
+NEGLIGIBLE_DEPTH = 1e-12
 """An overlap that is deeper than the slop by less than this, m, is no deeper."""
 
 
@@ -61,7 +61,7 @@ def pushed_apart(
         + rules.slop
     )
     nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
-    if not np.any(ahead < -ROUNDING):
+    if not np.any(ahead < -NEGLIGIBLE_DEPTH):
         return np.zeros((len(velocity), 6))
     # Here a speed is a way, m. Where less than the slop is left of an overlap, or a
     # gap, other pushes may use up what is missing, and no more.

@@ -19,8 +19,12 @@ from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.scene.settings import Settings
 
-SWEEPS = 20
-"""How often the contacts have a turn in a step, at most: impulses are kept from step to step, so that few will do."""
+SWEEPS, SWEEPS_OF_A_BOX = 20, 200
+"""How often the contacts have a turn in a step: impulses are kept from step to step, so that few will do.
+
+A box that moves alone has few contacts, so that many sweeps are cheap. With 20 of them, one that a growing push breaks
+away does so 10 µs early, forty millionths of the time, and with 200 less than 1 µs.
+"""
 BALL, BOX, PLANE = range(3)
 OTHER_SHAPES = "needs a world with other shapes: that of the lab has balls, boxes and planes"
 WRONG_RESULT = (
@@ -41,7 +45,7 @@ def run(
     step_world = implementation.function("step_world")
     bodies = _bodies(scenario, implementation)
     state: Any = tuple(np.split(np.array([body.state() for body in scenario.bodies]), (3, 7, 10), axis=-1))
-    rules = rest_speed(scenario, settings), reach(scenario, settings), SWEEPS
+    rules = rest_speed(scenario, settings), reach(scenario, settings), _sweeps(scenario)
     loads, memory = LoadsByHand([scenario], implementation), None
     samples, met = [np.concatenate(state, axis=-1)], list[Met]()
     for number in range(1, steps + 1):
@@ -54,6 +58,11 @@ def run(
         if sampled:
             samples.append(np.concatenate(state, axis=-1))
     return samples, met
+
+
+def _sweeps(scenario: Scenario) -> int:
+    movable = [body for body in scenario.bodies if not body.immovable]
+    return SWEEPS_OF_A_BOX if len(movable) == 1 and isinstance(movable[0].shape, Box) else SWEEPS
 
 
 def _contacts(

@@ -137,7 +137,7 @@ def test_the_jelly_and_the_heap_come_to_rest_above_the_floor(experiments):
         place, _, velocity, _ = states[-1]
         moving = bodies[0] > 0
         assert np.all(place[moving, 2] > 0.05)
-        assert np.max(np.abs(velocity[moving])) < 0.2  # what has fallen arrives with 2 m/s and more
+        assert np.max(np.abs(velocity[moving])) < 0.3  # what has fallen arrives with 2 m/s and more
 
 
 def test_a_cube_of_a_tower_drifts_farthest_in_pybullet():

@@ -50,6 +50,12 @@ def test_the_rebound_is_what_the_method_predicts(tmp_path):
     assert {row.verdict for row in found} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION}
 
 
+def test_a_growing_push_breaks_a_slab_away_when_theory_says(tmp_path):
+    found = {row.quantity: row for row in rows(tmp_path, STUDENT, "break-away", "μ=0.3,rate=20")}
+    assert {row.verdict for row in found.values()} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}
+    assert found["break_away"].measured == pytest.approx(found["break_away"].predicted, abs=1e-6)  # s
+
+
 def test_touching_balls_pass_the_blow_on_and_no_other_reading_is_predicted(tmp_path):
     found = {row.quantity: row for row in rows(tmp_path, STUDENT, "cradle", "5 touching")}
     assert (found["first"].measured, found["last"].measured) == pytest.approx((0, 1), abs=1e-9)
