@@ -1,11 +1,11 @@
-"""The page of the course: what depends on what, the hours of each lab, and courses of three labs and of ten weeks.
+"""The page of the course: what depends on what, hours, and courses of three labs, five labs and ten weeks.
 
 `collisions lab build` writes it to `docs/course.md`. Hours and functions come from the lessons, so they are said once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from labs.building.instructor_page import parts
 from labs.building.lessons import lessons, read
@@ -26,24 +26,24 @@ IDEAS: Mapping[str, tuple[str, str]] = {
 """Of each lab, what it needs of mathematics, and which idea of an earlier lab it builds on."""
 SPINE = ("detection", "response", "impulse")
 """The three labs that follow the lecture from its first slides on detection to the impulse of two rigid bodies."""
+ENGINE = ("detection", "friction", "impulse", "forces", "world")
+"""The five labs that lead to a simulator of one's own."""
 
 
 def page() -> str:
     """The page, in Markdown."""
-    there = lessons()
     return _PAGE.format(
-        labs=_table(there),
-        count=_COUNTS[len(there)].capitalize(),
-        missing=_missing(there),
-        minutes=_minutes(there),
+        labs=_table(),
+        minutes=_minutes(),
         spine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in SPINE),
-        only=" ".join(f"--only {name}" for name in SPINE if name in there),
-        later=_later([name for name in SPINE if name not in there]),
+        only=" ".join(f"--only {name}" for name in SPINE),
         first=SPINE[0],
+        engine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in ENGINE),
+        five=" ".join(f"--only {name}" for name in ENGINE),
     )
 
 
-def _table(there: Sequence[str]) -> str:
+def _table() -> str:
     rows = [
         "| lab | hours | functions to write | statements of the lecture | mathematics | builds on |",
         "|---|---|---|---|---|---|",
@@ -51,38 +51,26 @@ def _table(there: Sequence[str]) -> str:
     for topic in lecture.TOPICS:
         needs, idea = IDEAS[topic.name]
         statements = sorted({entry.statement for entry in lecture.functions_of(topic.name)})
-        hours, written = "planned", ""
-        if topic.name in there:
-            lesson = read(topic.name)
-            hours = f"[{sum(part.minutes for part in parts(lesson)) / 60:.2g}](instructors/{topic.name}.md)"
-            written = str(len(lesson.written))
+        lesson = read(topic.name)
+        hours = f"[{sum(part.minutes for part in parts(lesson)) / 60:.2g}](instructors/{topic.name}.md)"
+        written = len(lesson.written)
         shown = ", ".join(map(str, statements))
         rows.append(f"| `{topic.name}` | {hours} | {written} | {shown} | {needs} | {idea} |")
     return "\n".join(rows)
 
 
-def _minutes(there: Sequence[str]) -> str:
+def _minutes() -> str:
     rows = ["| lab | minutes of its parts |", "|---|---|"]
-    for name in there:
+    for name in lessons():
         steps = "; ".join(f"{part.title}: {part.minutes}" for part in parts(read(name)) if part.minutes)
         rows.append(f"| `{name}` | {steps} |")
     return "\n".join(rows)
 
 
-def _later(names: Sequence[str]) -> str:
-    return f" ({' and '.join(f'`{name}`' for name in names)} can be named as soon as it exists)" if names else ""
-
-
-def _missing(there: Sequence[str]) -> str:
-    left = [f"`{topic.name}`" for topic in lecture.TOPICS if topic.name not in there]
-    return f" The labs {', '.join(left[:-1])} and {left[-1]} are planned." if len(left) > 1 else ""
-
-
-_COUNTS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 _PAGE = """\
 # The course
 
-The lecture has ten topics, and a lab is planned for each. {count} of them exist.{missing}
+The lecture has ten topics, and each has a lab.
 
 Every lab can be taken by itself: what a run needs from another lab is given. The last column of the table says which
 idea a lab builds on, so that you know what to repeat if your class has not done the earlier lab. `collisions lab build`
@@ -90,9 +78,9 @@ writes this page from the lessons.
 
 {labs}
 
-The hours are planned and not timed; [how long the labs take](../labs/lessons/times.md) says how they were found. Each
-number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and the questions with
-model answers.
+The hours are planned, and no class has timed them; [how long the labs take](../labs/lessons/times.md) says how they
+were found. Each number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and
+the questions with model answers.
 
 {minutes}
 
@@ -106,13 +94,23 @@ after it.
 collisions lab release --out week-1.zip {only} --through {first}
 ```
 
-writes what the students get in the first week{later}. For
-the next week, name the next lab in `--through`; the release then also has the answers of the labs before it.
+writes what the students get in the first week. For the next week, name the next lab in `--through`; the release then
+also has the answers of the labs before it.
+
+## Five labs
+
+If the course is to end with a simulator of each student's own, take {engine}. The last one
+takes two sessions. All other functions that the simulator calls are given.
+
+```sh
+collisions lab release --out week-1.zip {five} --through {first}
+```
 
 ## Ten weeks
 
-Take one lab a week, in the order of the table, which is that of the lecture. As long as some labs are only planned,
-this fills fewer weeks. The last one, `world`, will put the others together and will need two sessions.
+Take one lab a week, in the order of the table, which is that of the lecture. The last one, `world`, puts the others
+together and takes two sessions of three hours: impacts in the first one, and rest in the second one. At its end
+students have written a simulator from the lecture, and four projects lead on from there, each with a rubric.
 `collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
 
 ## Handing out and marking
