@@ -1,11 +1,11 @@
-"""The page of the course: what depends on what, hours, and courses of three labs, five labs and ten weeks.
+"""The page of the course: what depends on what, the hours of each lab, and courses of three labs, five and ten weeks.
 
 `collisions lab build` writes it to `docs/course.md`. Hours and functions come from the lessons, so they are said once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from labs.building.instructor_page import parts
 from labs.building.lessons import lessons, read
@@ -26,24 +26,43 @@ IDEAS: Mapping[str, tuple[str, str]] = {
 """Of each lab, what it needs of mathematics, and which idea of an earlier lab it builds on."""
 SPINE = ("detection", "response", "impulse")
 """The three labs that follow the lecture from its first slides on detection to the impulse of two rigid bodies."""
-ENGINE = ("detection", "friction", "impulse", "forces", "world")
-"""The five labs that lead to a simulator of one's own."""
+FIVE = ("detection", "response", "friction", "impulse", "world")
+"""Five labs that end with a simulator: those that `world` builds on, and `world`."""
 
 
 def page() -> str:
     """The page, in Markdown."""
+    there = lessons()
     return _PAGE.format(
-        labs=_table(),
-        minutes=_minutes(),
-        spine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in SPINE),
-        only=" ".join(f"--only {name}" for name in SPINE),
+        labs=_table(there),
+        minutes=_minutes(there),
+        spine=_titles(SPINE),
+        five=_titles(FIVE),
+        spine_statements=_covered(SPINE),
+        five_statements=_covered(FIVE),
+        all_statements=len(lecture.STATEMENTS),
+        only=_only(SPINE, there),
+        only_five=_only(FIVE, there),
+        later=_later([name for name in SPINE if name not in there]),
+        later_of_five=_later([name for name in FIVE if name not in there]),
         first=SPINE[0],
-        engine=", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in ENGINE),
-        five=" ".join(f"--only {name}" for name in ENGINE),
     )
 
 
-def _table() -> str:
+def _titles(names: Sequence[str]) -> str:
+    return ", ".join(f"*{lecture.topic(name).title}* (`{name}`)" for name in names)
+
+
+def _only(names: Sequence[str], there: Sequence[str]) -> str:
+    return " ".join(f"--only {name}" for name in names if name in there)
+
+
+def _covered(names: Sequence[str]) -> int:
+    """How many statements of the lecture some labs cover."""
+    return len({entry.statement for name in names for entry in lecture.functions_of(name)})
+
+
+def _table(there: Sequence[str]) -> str:
     rows = [
         "| lab | hours | functions to write | statements of the lecture | mathematics | builds on |",
         "|---|---|---|---|---|---|",
@@ -51,20 +70,26 @@ def _table() -> str:
     for topic in lecture.TOPICS:
         needs, idea = IDEAS[topic.name]
         statements = sorted({entry.statement for entry in lecture.functions_of(topic.name)})
-        lesson = read(topic.name)
-        hours = f"[{sum(part.minutes for part in parts(lesson)) / 60:.2g}](instructors/{topic.name}.md)"
-        written = len(lesson.written)
+        hours, written = "planned", ""
+        if topic.name in there:
+            lesson = read(topic.name)
+            hours = f"[{sum(part.minutes for part in parts(lesson)) / 60:.2g}](instructors/{topic.name}.md)"
+            written = str(len(lesson.written))
         shown = ", ".join(map(str, statements))
         rows.append(f"| `{topic.name}` | {hours} | {written} | {shown} | {needs} | {idea} |")
     return "\n".join(rows)
 
 
-def _minutes() -> str:
+def _minutes(there: Sequence[str]) -> str:
     rows = ["| lab | minutes of its parts |", "|---|---|"]
-    for name in lessons():
+    for name in there:
         steps = "; ".join(f"{part.title}: {part.minutes}" for part in parts(read(name)) if part.minutes)
         rows.append(f"| `{name}` | {steps} |")
     return "\n".join(rows)
+
+
+def _later(names: Sequence[str]) -> str:
+    return f" ({' and '.join(f'`{name}`' for name in names)} can be named as soon as it exists)" if names else ""
 
 
 _PAGE = """\
@@ -78,9 +103,9 @@ writes this page from the lessons.
 
 {labs}
 
-The hours are planned, and no class has timed them; [how long the labs take](../labs/lessons/times.md) says how they
-were found. Each number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and
-the questions with model answers.
+The hours are planned and not timed; [how long the labs take](../labs/lessons/times.md) says how they were found. Each
+number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and the questions with
+model answers.
 
 {minutes}
 
@@ -94,17 +119,23 @@ after it.
 collisions lab release --out week-1.zip {only} --through {first}
 ```
 
-writes what the students get in the first week. For the next week, name the next lab in `--through`; the release then
-also has the answers of the labs before it.
+writes what the students get in the first week{later}. For
+the next week, name the next lab in `--through`; the release then also has the answers of the labs before it.
 
 ## Five labs
 
-If the course is to end with a simulator of each student's own, take {engine}. The last one
-takes two sessions. All other functions that the simulator calls are given.
+If you have five weeks and an hour or two more, take the labs that lead to a simulator:
+{five}. The last one puts the functions of the other
+four together, and needs two sessions.
 
 ```sh
-collisions lab release --out week-1.zip {five} --through {first}
+collisions lab release --out week-1.zip {only_five} --through {first}
 ```
+
+begins this course{later_of_five}. The three labs cover {spine_statements} of the {all_statements} statements of the
+lecture, and the five labs cover {five_statements}. If you would rather show more of the lecture than finish a
+simulator, take any other two: `sweeping`, `polyhedra`, `forces` and `avoidance` need at most what `detection` teaches,
+and `meshes` needs `forces`.
 
 ## Ten weeks
 

@@ -61,6 +61,29 @@ def test_whoever_slows_from_half_the_radius_needed_runs_six_centimetres_past(exp
     assert 20 < 1e3 * experiments.past_the_target(1.3) < 40
 
 
+def test_a_body_with_a_lag_needs_three_quarters_of_the_force_of_one_without(experiments, text):
+    force, v, tau = 1.0 * 2.0**2 / 2.0, 2.0, 0.25  # m v²/R
+    for share, past in ((1.0, 0), (0.75, 0), (0.5, 153)):
+        assert 1e3 * experiments.past_the_target(2.0, most=share * force) == pytest.approx(past, abs=1)
+    places = experiments.fly(lambda p: solutions.avoidance.arrive(p, 0 * p, v, 2.0), [-4.0], [v], tau, 6.0, 1e-3)
+    most = np.abs(np.diff(places[:, 0], 2)).max() / 1e-6
+    assert most / force == pytest.approx(2 / math.e, abs=0.002)  # steps of 1 ms of some 0.5 s
+    assert "2/e of yours, which is 74 %" in text
+
+
+def test_beside_a_wall_a_body_rests_where_the_field_carries_its_pull(experiments, text):
+    seek = experiments.beside_a_wall(lambda p, goal: solutions.avoidance.seek(p, goal, 1.0))[-1][1]
+    arrive = experiments.beside_a_wall(lambda p, goal: solutions.avoidance.arrive(p, goal, 1.0, 2.0))[-1][1]
+    assert seek == pytest.approx(1 - math.sqrt(2 / 8), abs=1e-4)
+    assert 8 * (1 - arrive) ** 2 == pytest.approx(arrive - 0.2, abs=1e-4)  # of the model answer
+    assert "follows s = 0.74 m" in text
+    weaker = min(np.roots([0.8, -2.6, 1.0]))  # 0.8 (1 − s)² = s − 0.2
+    assert f"s is still {weaker:.2f} m" in text
+    for strength in (8.0, 0.8):
+        assert f"{math.sqrt(2 * strength / 3):.2g} m/s" in text  # ½ m v² = F₀R/3
+    assert experiments.thrown_at_a_wall(2.3) > 0.0 == experiments.thrown_at_a_wall(2.32)
+
+
 def test_two_streams_that_heed_nobody_overlap_by_44_centimetres(text):
     found = recorded("crossing-streams/θ=70°,straight on", "tuned", "overlap")
     assert found == pytest.approx([0.444921] * 3, abs=1e-6)

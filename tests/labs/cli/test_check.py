@@ -67,9 +67,13 @@ def test_a_file_without_functions_is_refused_with_the_reason(text, code, says, t
     assert says in joined(found[1])
 
 
-def test_a_topic_without_tests_is_refused(tmp_path):
+def test_a_topic_without_tests_is_refused(tmp_path, monkeypatch):
     (tmp_path / "lab.py").write_text("x = 3\n")
     assert checked(tmp_path / "lab.py", "--topic", "nothing")[0] == 2
+    released = tmp_path / "autograder" / pytest_run.VISIBLE  # as students get it with one lab
+    released.mkdir(parents=True)
+    (released / "test_detection.py").touch()
+    monkeypatch.setattr(pytest_run, "AUTOGRADER", released.parent)
     code, text = checked(tmp_path / "lab.py", "--topic", "meshes")
     assert code == 2
     assert "there are tests of detection" in joined(text)

@@ -2,10 +2,14 @@
 
 Each file of `tests/autograder/alternatives/whole` has all functions of a topic, in one manner of writing. It is graded
 as a class is: a file on disk, visible and hidden tests, a worker. Functions for a single case lose one part of a lab.
+
+How a file is stored matters only until it is read: whatever is graded is made of the text that reading returns. So
+each file is read in every format, and one is graded in each of them.
 """
 
 from __future__ import annotations
 
+import ast
 import functools
 import json
 from pathlib import Path
@@ -16,12 +20,13 @@ from tests_in_process import TOPICS
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.grading.diagnosis.fingerprints.building import WITH_GIVEN_FUNCTIONS
 from labs.grading.judging.grade import grade
+from labs.grading.submission.reading import read
 from labs.project_folders import AUTOGRADER
 from reference import lecture
 
 FILES = {path.stem: path for path in sorted((AUTOGRADER / "alternatives" / "whole").glob("*.py"))}
 OFTEN = {"impulse_named"}
-"""Those that are tried in every run: the two manners that used to lose most."""
+"""Those that are tried in every run, and in every format by the slow checks: the manner that used to lose most."""
 
 
 def unchanged(text: str) -> bytes:
@@ -59,14 +64,21 @@ def handed_in(name: str) -> str:
     if topic not in WITH_GIVEN_FUNCTIONS:
         return text
     given = [entry.name for entry in lecture.functions_of(topic) if entry.role == "given"]
-    found = TopicExcerpts.of(topic).needed([*given, "collide"])
+    found = TopicExcerpts.of(topic).needed(given)
     return f"from __future__ import annotations\n\n\n{imports_of(found)}\n\n\n{text_of(found)}\n\n\n{text}"
 
 
-def graded(name: str, written, grader, folder: Path) -> dict:
+FORMATS = (unchanged, windows, windows_with_a_mark, tabs, notebook)
+
+
+def topic_of(name: str) -> str:
+    return name.partition("_")[0]
+
+
+def stored(name: str, written, folder: Path) -> Path:
     path = folder / ("lab.ipynb" if written is notebook else "lab.py")
     path.write_bytes(written(handed_in(name)))
-    return grade(path, (name.partition("_")[0],), grader=grader).content()
+    return path
 
 
 def lost(content: dict) -> list[str]:
@@ -88,11 +100,12 @@ def lost(content: dict) -> list[str]:
             marks=() if name in OFTEN and written is unchanged else pytest.mark.slow,
         )
         for name in FILES
-        for written in (unchanged, windows, windows_with_a_mark, tabs, notebook)
+        for written in FORMATS
+        if written is unchanged or name in OFTEN
     ],
 )
 def test_a_right_submission_in_other_words_loses_no_point(name, written, grader, tmp_path):
-    found = graded(name, written, grader, tmp_path)
+    found = grade(stored(name, written, tmp_path), (topic_of(name),), grader=grader).content()
     missed = lost(found)
     if "one_case" in name:
         assert [line for line in missed if "in one call" not in line] == []
@@ -106,8 +119,18 @@ def test_a_right_submission_in_other_words_loses_no_point(name, written, grader,
     assert found["complaints"] == []
 
 
+@pytest.mark.parametrize("name", FILES)
+def test_a_submission_is_read_as_the_same_program_in_every_format(name, tmp_path):
+    wanted = [entry.name for entry in lecture.functions_of(topic_of(name))]
+    found = [read(stored(name, written, tmp_path), wanted) for written in FORMATS]
+    assert found[0].functions
+    assert {ast.dump(ast.parse(each.text)) for each in found} == {ast.dump(ast.parse(found[0].text))}
+    told = {(each.functions, each.complaints, each.unread) for each in found}
+    assert told == {(found[0].functions, found[0].complaints, ())}
+
+
 def test_there_are_far_more_than_fifty_right_answers_in_other_words():
-    topics = [name.partition("_")[0] for name in FILES]
+    topics = [topic_of(name) for name in FILES]
     written = [entry for topic in topics for entry in lecture.functions_of(topic) if entry.role == "written"]
     assert len(written) > 70
     assert set(topics) == set(TOPICS)

@@ -34,9 +34,9 @@ ONE_SIGN = {
         missed_share.c missed_share.D missed_share.R sweep_sphere_sphere.d sweep_sphere_sphere.r_A
         sweep_sphere_sphere.r_B advance.s advance.L advance.g""",
     "of bodies that avoid each other it is a length, a speed, a time, a mass, a pull, a weight or a number": """
-        arrive.v arrive.tau arrive.m arrive.R repelling_force.R repelling_force.F repelling_force.F0 tangent_point.L
-        tangent_point.r nearest_approach.a separation.w_s separation.w_c towards_mean.n orca_half_plane.R
-        orca_half_plane.L""",
+        arrive.v arrive.tau arrive.m arrive.R repelling_force.R repelling_force.F repelling_force.F0 repelling_force.m
+        tangent_point.L tangent_point.r nearest_approach.a separation.w_s separation.w_c towards_mean.n
+        orca_half_plane.R orca_half_plane.L""",
     "of a mesh it is a number of nodes, a length, a mass, a stiffness, a damping, a speed, a time or a coefficient": """
         diagonals.a diagonals.b diagonals.c diagonals.d limit_strain.m_1 limit_strain.m_2 limit_strain.x mesh_forces.L
         mesh_forces.L_0 mesh_forces.c mesh_forces.k mesh_forces.v mesh_sphere_contact.e mesh_sphere_contact.mu

@@ -30,6 +30,7 @@ OF_A_PLANE_AT_REST = (
 )
 
 ONE_MESH = "There is one mesh in a call."
+UNIT_OF_LENGTHS = "Whether a length is zero is all that counts of it here, besides its unit, which is 1."
 POSITIVE_PARTS = tuple(f"{part} of mesh: size for it" for part in ("rest_length", "stiffness", "damping", "mass"))
 
 ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
@@ -606,25 +607,32 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "pinned of mesh: left out",
         ),
     },
-    "mesh_step": {NOT_NEGATIVE: POSITIVE_PARTS},
+    "mesh_step": {
+        NOT_NEGATIVE: POSITIVE_PARTS,
+        UNIT_OF_LENGTHS: ("in lengths: factor forgotten: length * unit → unit",),
+    },
     "onto_nodes": {
         ONE_MESH: (
-            "results swapped: …",
+            "results swapped: (*force.shape[:-2], len(mesh.mass), 3) → (len(mesh.mass), *force.shape[:-2], 3)",
             "…: batch * shape[-2] + end → end",
             "…: batch * shape[-2] + end → -(batch * shape[-2]) + end",
             "factor forgotten: batch * shape[-2] → batch",
         ),
-        NOT_NEGATIVE: ("size for it: …",),
+        NOT_NEGATIVE: ("size for it: (batch * shape[-2] + end)…", "size for it: batch * shape[-2] + end → …"),
     },
     "edge_directions": {
         "An edge without a length has no vector to be divided.": (
             "twice the number: 1.0 → 2.0",
             "half the number: 1.0 → 0.5",
         ),
-        NOT_NEGATIVE: ("size for it: (between / …",),
+        NOT_NEGATIVE: ("size for it: (between / …, np.abs(length))",),
     },
     "diagonals": {
         "Mirrored, the same springs are needed.": ("position: sign flipped",),
+        UNIT_OF_LENGTHS: (
+            "in lengths: factor forgotten: length * unit → unit",
+            "in lengths: ratio for product: length * unit → unit / length",
+        ),
         "A row that raises no rank may be kept: it raises none later either.": (
             "boundary: raised > rank → raised >= rank (2)",
             "condition dropped: raised > rank → always(raised > rank) (2)",
@@ -638,8 +646,8 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "_rows": {
         "A row may be turned round, and be longer or shorter.": (
-            "sign flipped: position[ends[:, 0]] - …",
-            "factor forgotten: between / …",
+            "sign flipped: … → position[ends[:, 1]] - position[ends[:, 0]]",
+            "factor forgotten: between / … → between",
             "product for ratio: between / …",
             "branch dropped: np.where(length > 0, length, 1.0) → shaped(1.0, length > 0)",
             "comparison turned round: length > 0 → length < 0",
@@ -650,10 +658,10 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "lengths": {
-        "Whether a length is zero is all that counts of it here, besides its unit, which is 1.": (
+        UNIT_OF_LENGTHS: (
             "branch dropped: length * unit if unit.ndim else length → …",
-            "factor forgotten: length * unit → …",
-            "ratio for product: length * unit → …",
+            "factor forgotten: length * unit → length",
+            "ratio for product: length * unit → length / unit",
         ),
         NOT_NEGATIVE: ("size for it: length * unit if unit.ndim else length → …",),
     },
@@ -700,7 +708,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             for part in ("stiffness", "damping")
             for change in ("left out", "sign flipped", "axis …")
         ),
-        NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: …"),
+        NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: 1 + limit → …", "size for it: w[:, 0] + …"),
     },
     "_fit": {
         "It only keeps rounding from going on for ever.": (
@@ -710,7 +718,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "term dropped: 1 + SLACK → 1",
             "sign flipped: 1 + SLACK → 1 - SLACK",
         ),
-        NOT_NEGATIVE: ("size for it: …",),
+        NOT_NEGATIVE: ("size for it: 1 + SLACK → …", "size for it: 1 - longest / …", "size for it: 1 - share → …"),
     },
 }
 

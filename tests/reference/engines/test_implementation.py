@@ -4,6 +4,7 @@ import pickle
 import sys
 import textwrap
 
+import numpy as np
 import pytest
 
 import solutions.detection
@@ -71,6 +72,18 @@ def test_a_file_answers_for_every_topic_it_has_functions_of(handed_in):
 
 
 # What is not written yet
+
+
+@pytest.mark.parametrize(
+    ("answer", "is_array"),
+    [("[1, 2.5, 3]", True), ("[[1.0, 2.0], [3.0, 4.0]]", True), ("[[1.0], [2.0, 3.0]]", False), ("['a', 'b']", False)],
+)
+def test_a_list_of_numbers_is_taken_as_an_array_as_in_a_check(handed_in, answer, is_array):
+    run = Implementation(handed_in(f"def signed_distance(*given):\n    return {answer}\n")).function("signed_distance")
+    assert isinstance(run(), np.ndarray) == is_array
+    both = Implementation(handed_in(f"def collide(*given):\n    return {answer}, 1.5\n")).function("collide")()
+    assert isinstance(both[0], np.ndarray) == is_array
+    assert both[1] == 1.5
 
 
 def test_a_missing_function_is_needed_by_name_topic_and_step(handed_in):
@@ -187,10 +200,11 @@ def test_a_file_that_does_not_compile_says_where(handed_in):
 
 
 def test_a_file_is_run_once_for_all_its_functions(handed_in):
-    path = handed_in("runs = []\nruns.append(1)\ndef holds(): return runs\ndef friction_force(): return runs")
+    counted = "runs = {'times': 0}\nruns['times'] += 1\n"
+    path = handed_in(counted + "def holds(): return runs\ndef friction_force(): return runs")
     mine = Implementation(path)
     assert mine.function("holds")() is mine.function("friction_force")()
-    assert mine.function("holds")() == [1]
+    assert mine.function("holds")() == {"times": 1}
 
 
 def test_a_file_may_hold_dataclasses_and_know_its_own_path(handed_in):

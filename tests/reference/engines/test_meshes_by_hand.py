@@ -45,6 +45,16 @@ def mesh_sphere_contact(mesh, position, velocity, *more):
     return position, right(mesh, position, velocity, *more)[1]
 """
 
+LISTS = """
+from solutions.meshes import mesh_sphere_contact as right_contact, mesh_step as right_step
+
+def mesh_step(*given):
+    return [part.tolist() for part in right_step(*given)]
+
+def mesh_sphere_contact(*given):
+    return [part.tolist() for part in right_contact(*given)]
+"""
+
 
 def rows(source: str, profile: str, tmp_path, name: str = "hanging-chain", place: int = 0) -> dict[str, Row]:
     """The rows of one case with functions of this source, which stand before the right ones."""
@@ -65,6 +75,11 @@ def test_a_shape_at_rest_under_another_weight_turns_the_chain_red(tmp_path):
 def test_masses_that_are_left_inside_the_ball_turn_a_drape_red(tmp_path):
     found = rows(LEFT_INSIDE, "step", tmp_path, "cloth-over-a-ball")
     assert {name for name, row in found.items() if row.verdict is Verdict.FAIL} >= {"height", "carried", "sunk", "off"}
+
+
+def test_places_and_velocities_in_lists_drape_like_those_in_arrays(tmp_path):
+    listed, right = (rows(source, "step", tmp_path, "cloth-over-a-ball") for source in (LISTS, ""))
+    assert {name: row.measured for name, row in listed.items()} == {name: row.measured for name, row in right.items()}
 
 
 def test_a_step_with_the_mean_velocity_shows_under_way(tmp_path):

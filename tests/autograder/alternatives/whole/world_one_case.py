@@ -82,7 +82,7 @@ def respond(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     share, moments, e, mu = bodies[:4]
     position, orientation = state[:2]
     v, w = np.array(state[2], dtype=float), np.array(state[3], dtype=float)
-    turning = [world_inverse_inertia(m, q) for m, q in zip(moments, orientation, strict=True)]
+    turning = [inverse_inertias(m, q) for m, q in zip(moments, orientation, strict=True)]
     a, b, point, normal, gap, _ = contacts
     each = range(len(a))
     frames = contact_frames(contacts, position).reshape(len(a), 3, len(share), 6)

@@ -94,7 +94,7 @@ def respond(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     share, moments, e, mu, *_ = bodies
     x, q, v, w = state
     a, b, point, normal, gap, _ = contacts
-    turning = world_inverse_inertia(moments, q)
+    turning = inverse_inertias(moments, q)
     u = np.hstack([v, w]).astype(np.float64)
     rows = contact_frames(contacts, x)
     hit = np.zeros(len(a), dtype=bool)

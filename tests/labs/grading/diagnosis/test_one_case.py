@@ -122,8 +122,8 @@ def test_a_likely_mistake_with_other_numbers_for_many_is_said_to_differ():
 
 
 def test_a_right_function_of_one_case_makes_no_mistake():
-    of_many = [entry for entry in probed() if any(probe.group == "many" for probe in probes(entry.name))]
-    for entry in of_many[::6]:
+    asked_for_many = [entry for entry in probed() if any(probe.group == "many" for probe in probes(entry.name))]
+    for entry in asked_for_many[::6]:  # without those of one mesh or one solid
         found = diagnose(entry.name, refuses_many(entry.name, solution(entry.name)))
         assert (found.verdict, found.mistakes) == ("one at a time", ()), told(found)
 
