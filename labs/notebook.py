@@ -24,7 +24,7 @@ import logging
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from labs.desk.guiding import Guiding, name_of
 from labs.desk.hints import Text
@@ -111,6 +111,13 @@ class Lab(Guiding, Predicting, Questions):
             print(made)
         _warn_of_printing(name for name in student_code.functions_that_print(cells) if name in (names or here))
         return found.credit
+
+    @errors_in_words
+    def earlier(self, name: str) -> Callable[..., Any]:
+        """A function of an earlier lab: yours, if its notebook lies beside this one, and otherwise a given one."""
+        from reference.engines.implementation import Implementation  # noqa: PLC0415
+
+        return Implementation(self._student_code([""]).source).function(lecture.function(name).name)
 
     @errors_in_words
     def run(

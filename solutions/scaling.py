@@ -104,8 +104,11 @@ def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Arra
     return normal, offset / unit, np.asarray(np.linalg.norm(normal, axis=-1))
 
 
-def moderate_equations(matrix: Array, right: Array) -> tuple[Array, Array, Array]:
-    """The equations M x = b in units in which no number is very large or very small.
+def moderate_equations(
+    matrix: Array,
+    right: Array,
+) -> tuple[Array, Array, Array]:
+    """The equations M x = b in units without very large or small numbers.
 
     Returns
     -------
@@ -114,8 +117,10 @@ def moderate_equations(matrix: Array, right: Array) -> tuple[Array, Array, Array
         Divide x by it (`in_unit`) to have it in the old unit.
     """
     right, _, of_right = in_moderate_units(right)
-    *_, of_matrix = in_moderate_units(matrix.reshape(*matrix.shape[:-2], matrix.shape[-1] ** 2))
-    return in_unit(matrix, of_matrix, 2), right, np.asarray(of_matrix / of_right)
+    flat = matrix.reshape(*matrix.shape[:-2], matrix.shape[-1] ** 2)
+    *_, of_matrix = in_moderate_units(flat)
+    smaller = np.asarray(of_matrix / of_right)
+    return in_unit(matrix, of_matrix, 2), right, smaller
 
 
 def root_of_difference(u: Array, p: Array, q: Array) -> Array:

@@ -34,7 +34,7 @@ MOST = 100
 class Suspect:
     """A wrong function. key: its name in the lab. function: which function it should be.
 
-    shapes: of one result, or of each of several that differ in shape.
+    shapes: of one result, of each of several that differ in shape, or those that a result may have.
     """
 
     key: str
@@ -89,7 +89,7 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         except Exception as error:
             reason = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
             raise InvalidInput(f"{wrong.function} refuses this input ({reason}), so it exposes nothing") from None
-        if single != wrong.shapes:
+        if not single <= wrong.shapes:
             raise InvalidInput("the input has to be one case: your colleague's function takes no more at once")
         try:
             theirs = wrong.wrong(*given_to_both)

@@ -41,8 +41,6 @@ def page() -> str:
     there = lessons()
     return _PAGE.format(
         labs=_table(there),
-        count=_COUNTS[len(there)].capitalize(),
-        missing=_missing(there),
         minutes=_minutes(there),
         spine=_titles(SPINE),
         five=_titles(FIVE),
@@ -100,16 +98,10 @@ def _later(names: Sequence[str]) -> str:
     return f" ({' and '.join(f'`{name}`' for name in names)} can be named as soon as it exists)" if names else ""
 
 
-def _missing(there: Sequence[str]) -> str:
-    left = [f"`{topic.name}`" for topic in lecture.TOPICS if topic.name not in there]
-    return f" The labs {', '.join(left[:-1])} and {left[-1]} are planned." if len(left) > 1 else ""
-
-
-_COUNTS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 _PAGE = """\
 # The course
 
-The lecture has ten topics, and a lab is planned for each. {count} of them exist.{missing}
+The lecture has ten topics, and each has a lab.
 
 Every lab can be taken by itself: what a run needs from another lab is given. The last column of the table says which
 idea a lab builds on, so that you know what to repeat if your class has not done the earlier lab. `collisions lab build`
@@ -153,8 +145,9 @@ and `meshes` needs `forces`.
 
 ## Ten weeks
 
-Take one lab a week, in the order of the table, which is that of the lecture. As long as some labs are only planned,
-this fills fewer weeks. The last one, `world`, will put the others together and will need two sessions.
+Take one lab a week, in the order of the table, which is that of the lecture. The last one, `world`, puts the others
+together and takes two sessions of three hours: impacts in the first one, and rest in the second one. At its end
+students have written a simulator from the lecture, and four projects lead on from there, each with a rubric.
 `collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
 
 A session of two hours holds about the steps that the instructor's page of a lab calls *the lab*. Three labs need a

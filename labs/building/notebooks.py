@@ -232,9 +232,10 @@ def _setup(lesson: Lesson) -> str:
 def _given(draft: _Draft, cell: Cell) -> str:
     first = "" if draft.taken else "from __future__ import annotations\n\n" + imports_of(draft.excerpts.every) + "\n\n"
     found = draft.take(cell.names)
-    shown = {name for excerpt in found for name in excerpt.defines} & set(draft.lesson.written)
+    written = {name for name, entry in lecture.FUNCTIONS.items() if entry.role == "written"}
+    shown = {name for excerpt in found for name in excerpt.defines} & {*draft.lesson.written, *written}
     if shown:
-        gives, needs = " ".join(cell.names), ", ".join(shown)
+        gives, needs = " ".join(cell.names), ", ".join(sorted(shown))
         raise InvalidInput(f"the lesson of {draft.lesson.topic} gives {gives}, which needs {needs}")
     title = cell.text.lstrip("# ") or "Given: run it, and read what you like."
     return f"# {title}\n{first}{_silent(text_of(found))}"

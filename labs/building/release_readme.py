@@ -16,7 +16,8 @@ def readme(folder: str, labs: Sequence[str], archive: str = "") -> str:
     titles = "\n".join(f"- `labs/notebooks/{name}.ipynb`: *{lecture.topic(name).title}*" for name in labs)
     unpack = _UNPACK.format(folder=folder, archive=archive, command=shlex.quote(archive)) if archive else _GO
     chosen = f"`{archive}`, the archive that you were given," if archive else "the archive that you were given"
-    return _README.format(unpack=unpack, chosen=chosen, titles=titles, first=labs[0])
+    whole = _WHOLE if {topic.name for topic in lecture.TOPICS} <= set(labs) else ""
+    return _README.format(unpack=unpack, chosen=chosen, titles=titles, first=labs[0], whole=whole)
 
 
 _UNPACK = """\
@@ -32,6 +33,19 @@ _GO = """\
 """
 
 
+_WHOLE = """
+## Where this leads
+
+When you have done all ten labs, you have written a physics engine out of a lecture: forces, detection, impacts,
+friction, rest, and the loop that puts them together. This is what such an engine can do; every state in the picture was
+computed by a `step_world` of the last lab, with the forces of the seventh:
+
+![A heap between two walls, a jelly that falls, and a brick that turns over.](labs/figures/own_engine.svg)
+
+Yours runs beside PyBullet, MuJoCo and DART: `collisions compare stack --implementation labs/notebooks/world.ipynb`. At
+the end of `world.ipynb` are four projects to take it further, each with a rubric: a superball, a domino row, cloth on a
+heap, and a crowd through a door.
+"""
 _README = """\
 # Collisions Lab
 
@@ -40,7 +54,7 @@ _README = """\
 A lab is a notebook. You predict, derive, write a few functions, check them, and run them beside physics engines. The
 labs follow the slides of *Collisions*, a lecture by Rick Parent at The Ohio State University (CIS 682). What a slide
 says is quoted with its number; where a slide is wrong, the lab shows a counterexample.
-
+{whole}
 ## On your own machine
 
 You need Python 3.11 or later (`python --version` says which you have). All commands go into a terminal.

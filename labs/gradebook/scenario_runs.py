@@ -28,7 +28,7 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
-from reference.engines.profiles import EXACT
+from reference.engines.profiles import EXACT, WORLD
 from reference.errors import UnknownName
 from reference.recording.entries import Entry
 from reference.scene.settings import Settings
@@ -40,10 +40,15 @@ YOURS, HANDWRITTEN = "yours", "handwritten"
 
 @dataclass(frozen=True)
 class Asked:
-    """A case that every submission of a lab runs, `family/case`, and the quantities that are shown, the first first."""
+    """A case that every submission of a lab runs, `family/case`, and the quantities that are shown, the first first.
+
+    profile: by which method. timestep: s.
+    """
 
     name: str
     quantities: tuple[str, ...]
+    profile: str = EXACT
+    timestep: float = TIMESTEP
 
     @property
     def place(self) -> tuple[Family, Case]:
@@ -70,6 +75,11 @@ RUNS: Mapping[str, tuple[Asked, ...]] = {
         Asked("struck-rod/e=0.5,x=0.499", ("spin", "impulse")),
     ),
     "polyhedra": (Asked("convex-solid/turned", ("face", "segment")),),
+    "world": (
+        Asked("dropped-ball/e=0.5", ("rebound",), WORLD, 0.005),
+        Asked("cradle/5, 1 mm apart", ("last", "first", "energy"), WORLD, 0.005),
+        Asked("tipping-box/h=0.1,μ=0.5,θ=20°", ("outcome",), WORLD, 0.01),
+    ),
 }
 """What the submissions of a lab run: first scenarios alone, so a case whose number is a share of many is left out."""
 
@@ -96,15 +106,17 @@ def run(path: Path, lab: str, grader: Grader, seconds: float) -> list[dict[str, 
 
 def _one(asked: Asked, code: Mixed) -> dict[str, Any]:
     family, case = asked.place
-    engine, settings = _driver(case, code)
+    engine, settings = _driver(asked, case, code)
     try:
-        rows, trajectories = compare_case(family, case, engine, EXACT, settings)
+        rows, trajectories = compare_case(family, case, engine, asked.profile, settings)
     except StudentError as error:
-        blank = Row(family.name, case.name, HANDWRITTEN, EXACT, "", "", Verdict.CRASHED, note=str(error))
+        blank = Row(family.name, case.name, HANDWRITTEN, asked.profile, "", "", Verdict.CRASHED, note=str(error))
         rows, trajectories = [blank], []
     kept: dict[str, Any] = {"case": asked.name, "entry": Entry.of("", rows).as_json()}
+    if asked.profile != EXACT:
+        kept |= {"profile": asked.profile, "timestep": asked.timestep}
     if trajectories:
-        track = pack(poses_of(trajectories[0]), EXACT, case.name, "")
+        track = pack(poses_of(trajectories[0]), asked.profile, case.name, "")
         kept["poses"] = {
             "bodies": list(track.bodies),
             "rate": track.rate,
@@ -114,9 +126,9 @@ def _one(asked: Asked, code: Mixed) -> dict[str, Any]:
     return kept
 
 
-def _driver(case: Case, code: Implementation) -> tuple[Engine, Settings]:
+def _driver(asked: Asked, case: Case, code: Implementation) -> tuple[Engine, Settings]:
     engine = load_engine(HANDWRITTEN, code)
-    return engine, engine.settings(case.scenarios[0], EXACT).change(timestep=TIMESTEP)
+    return engine, engine.settings(case.scenarios[0], asked.profile).change(timestep=asked.timestep)
 
 
 def result(kept: Mapping[str, Any]) -> JobResult:
@@ -127,21 +139,22 @@ def result(kept: Mapping[str, Any]) -> JobResult:
     CollisionsError, LookupError, TypeError, ValueError
         If it is of a case that no longer exists, or was not written by `run`.
     """
-    asked = Asked(kept["case"], ())
+    asked = Asked(kept["case"], (), kept.get("profile", EXACT), kept.get("timestep", TIMESTEP))
     family, case = asked.place
-    engine, settings = _driver(case, Implementation())
+    engine, settings = _driver(asked, case, Implementation())
     entry = Entry.read(kept["entry"])
     if entry.verdict is not None:
-        rows = [Row(family.name, case.name, HANDWRITTEN, EXACT, "", "", entry.verdict, note=entry.note)]
+        rows = [Row(family.name, case.name, HANDWRITTEN, asked.profile, "", "", entry.verdict, note=entry.note)]
     else:
         method = engine.method(case.scenarios[0], settings)
         numbers = {quantity.name: number for quantity, number in zip(family.quantities, entry.numbers, strict=True)}
-        rows = judged(family, case, HANDWRITTEN, EXACT, settings, method, numbers)
-    job = Job(family.name, HANDWRITTEN, EXACT, (case.name,), changes=(("timestep", TIMESTEP),), with_poses=True)
-    return JobResult(job, YOURS, "", tuple(rows), poses=tuple(_tracks(case, kept.get("poses"))))
+        rows = judged(family, case, HANDWRITTEN, asked.profile, settings, method, numbers)
+    changes = (("timestep", asked.timestep),)
+    job = Job(family.name, HANDWRITTEN, asked.profile, (case.name,), changes=changes, with_poses=True)
+    return JobResult(job, YOURS, "", tuple(rows), poses=tuple(_tracks(asked, case, kept.get("poses"))))
 
 
-def _tracks(case: Case, kept: Mapping[str, Any] | None) -> Iterator[Track]:
+def _tracks(asked: Asked, case: Case, kept: Mapping[str, Any] | None) -> Iterator[Track]:
     if kept is not None:
         packed = base64.b85decode(kept["packed"])
-        yield Track(EXACT, case.name, "", tuple(kept["bodies"]), int(kept["rate"]), int(kept["count"]), packed)
+        yield Track(asked.profile, case.name, "", tuple(kept["bodies"]), int(kept["rate"]), int(kept["count"]), packed)

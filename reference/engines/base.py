@@ -95,6 +95,7 @@ class Method:
     drag: of a ball in a fluid, as a share of Stokes' drag.
     rule: the recurrence that a run follows step by step, one of those above; "" if none has been written down.
     steered_by: the hand-written code that steers bodies; None where nothing is steered.
+    in_turn: whether impacts of bodies that touch in a row are passed on one after another within a step.
     """
 
     kind: str
@@ -111,6 +112,7 @@ class Method:
     drag: float = 1.0
     cone: str = CIRCLE
     steered_by: Implementation | None = None
+    in_turn: bool = False
 
     def __post_init__(self) -> None:
         if self.cone not in CONES:

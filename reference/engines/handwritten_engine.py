@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
@@ -203,7 +204,8 @@ class Handwritten(Engine):
         if isinstance(scenario, Survey):
             return Method(EXACT, rule=ANSWERS_EXACT)
         if _in_the_world(settings):
-            return self.steered(scenario, world_settings.method_of(scenario, settings))
+            method = world_settings.method_of(scenario, settings)
+            return self.steered(scenario, replace(method, in_turn=world.is_small(self.implementation)))
         steps = settings.number("shortest_flight") if "shortest_flight" in settings.options else 0.0
         law = str(settings.options.get("impact_law", NEWTON))
         if law == NEWTON and kind(scenario) is Kind.CORNER:

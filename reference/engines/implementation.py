@@ -8,7 +8,7 @@ import importlib.util
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from importlib.machinery import PathFinder
 from pathlib import Path
@@ -77,6 +77,14 @@ class Implementation:
             if mention.search(path.read_text(encoding="utf-8", errors="replace")):
                 return False
         return ours
+
+    def first_defined(self, names: Sequence[str]) -> str:
+        """The first of these names that the first source defines which defines any; the last name if none does."""
+        for source in self.sources:
+            for name in names:
+                if callable(getattr(_module(source, lecture.function(name).topic), name, None)):
+                    return name
+        return names[-1]
 
     def function(self, name: str) -> Callable[..., Any]:
         """Return the function of that name; where it is not written yet, raise `NeedsFunction` that says what to do."""

@@ -54,7 +54,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return None
     if "margin" in settings.options and method.rule not in (MUJOCO_ONE_STEP, MUJOCO_SPRING):
         return None
-    if method.rule == RESPOND_THEN_STEP and _in_a_row(bodies, found):
+    if (method.rule == RESPOND_THEN_STEP or method.in_turn) and _in_a_row(bodies, found):
         return None
     if method.rule in (BULLET, BULLET_SPRING) and _leaps(bodies, found, settings.timestep):
         return None
@@ -74,7 +74,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
 
 
 def _in_a_row(bodies: Bodies, meetings: list[Meeting]) -> bool:
-    """Whether a ball may meet two others that move: the hand-written code solves such impacts together."""
+    """Whether a ball may meet two others that move, so that the impacts of a step depend on each other."""
     moving = [each for each in meetings if bodies.inverse_mass[each.ball] > 0 and bodies.inverse_mass[each.other] > 0]
     return len(moving) > 1
 

@@ -13,9 +13,18 @@ from solutions.friction.impact import (
     sphere_impact,
     superball_impact,
 )
-from solutions.friction.impact_laws import dissipative_impulse, poisson_impulse, stronge_impulse
+from solutions.friction.impact_laws import (
+    dissipative_impulse,
+    poisson_impulse,
+    stronge_impulse,
+)
 from solutions.friction.rolling import roll_step
-from solutions.friction.support import break_away_time, friction_angle, stick_slip_times, support_force
+from solutions.friction.support import (
+    break_away_time,
+    friction_angle,
+    stick_slip_times,
+    support_force,
+)
 
 __all__ = [
     "break_away_time",

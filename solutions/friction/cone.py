@@ -43,9 +43,17 @@ def clamp_to_circle(tangent_force: ArrayLike, limit: ArrayLike) -> Array:
 
         F_t min(1, μ N/‖F_t‖)
     """
-    force, most = vector("tangent_force", tangent_force), not_negative("limit", limit)
+    force, most = (
+        vector("tangent_force", tangent_force),
+        not_negative("limit", limit),
+    )
     size = length_of(force)
-    return np.asarray(force * np.where(size > most, most / np.where(size > 0, size, 1.0), 1.0)[..., None])
+    return np.asarray(
+        force
+        * np.where(size > most, most / np.where(size > 0, size, 1.0), 1.0)[
+            ..., None
+        ]
+    )
 
 
 def clamp_to_square(
@@ -80,9 +88,18 @@ def clamp_to_square(
     A force far beyond the limit is clamped to the diagonal whatever its direction is,
     so that a body slides on a curve. The result depends on the choice of the axes.
     """
-    force, most = vector("tangent_force", tangent_force), not_negative("limit", limit)
-    axes = (unit("axis_x", vector("axis_x", axis_x)), unit("axis_y", vector("axis_y", axis_y)))
+    force, most = (
+        vector("tangent_force", tangent_force),
+        not_negative("limit", limit),
+    )
+    axes = (
+        unit("axis_x", vector("axis_x", axis_x)),
+        unit("axis_y", vector("axis_y", axis_y)),
+    )
     if np.any(np.abs(np.vecdot(*axes)) > SQUARE_TOLERANCE):
         raise ValueError("axis_x and axis_y must be at right angles")
-    x, y = (np.clip(np.vecdot(force, axis), -most, most)[..., None] * axis for axis in axes)
+    x, y = (
+        np.clip(np.vecdot(force, axis), -most, most)[..., None] * axis
+        for axis in axes
+    )
     return np.asarray(x + y)

@@ -39,8 +39,12 @@ def holds(
     body at rest needs the friction −push, and it stays at rest while that is not above
     this value.
     """
-    static = finite("static_friction", not_negative("static_friction", static_friction))
-    limit = static * finite("normal_force", not_negative("normal_force", normal_force))
+    static = finite(
+        "static_friction", not_negative("static_friction", static_friction)
+    )
+    limit = static * finite(
+        "normal_force", not_negative("normal_force", normal_force)
+    )
     return np.asarray(length_of(finite("push", vector("push", push))) <= limit)
 
 
@@ -75,15 +79,27 @@ def friction_force(
         or a vector does not have three components.
     """
     held = holds(push, normal_force, static_friction)[..., None]
-    push, velocity = vector("push", push), finite("tangent_velocity", vector("tangent_velocity", tangent_velocity))
+    push, velocity = (
+        vector("push", push),
+        finite(
+            "tangent_velocity", vector("tangent_velocity", tangent_velocity)
+        ),
+    )
     mu = not_negative("kinetic_friction", kinetic_friction)
-    not_negative("static_friction less kinetic_friction", np.asarray(static_friction) - mu)
+    not_negative(
+        "static_friction less kinetic_friction",
+        np.asarray(static_friction) - mu,
+    )
     speed = length_of(velocity)[..., None]
     size = length_of(push)[..., None]
     along_velocity = velocity / np.where(speed > 0, speed, 1.0)
     along_push = push / np.where(size > 0, size, 1.0)
     kinetic = (mu * np.asarray(normal_force))[..., None]
-    return np.where(speed > 0, -kinetic * along_velocity, np.where(held, -push, -kinetic * along_push))
+    return np.where(
+        speed > 0,
+        -kinetic * along_velocity,
+        np.where(held, -push, -kinetic * along_push),
+    )
 
 
 def sliding_motion(
@@ -130,19 +146,49 @@ def sliding_motion(
     not turn it round. From there static friction holds the body, or it
     continues to slide along the push.
     """
-    p, v, f = vector("position", position), vector("tangent_velocity", tangent_velocity), vector("push", push)
-    m, dt = positive("mass", mass)[..., None], finite("dt", not_negative("dt", dt))
+    p, v, f = (
+        vector("position", position),
+        vector("tangent_velocity", tangent_velocity),
+        vector("push", push),
+    )
+    m, dt = (
+        positive("mass", mass)[..., None],
+        finite("dt", not_negative("dt", dt)),
+    )
 
     def acceleration(velocity: Array) -> Array:
-        return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)
+        return np.asarray(
+            (
+                f
+                + friction_force(
+                    f,
+                    velocity,
+                    normal_force,
+                    static_friction,
+                    kinetic_friction,
+                )
+            )
+            / m
+        )
 
     a = acceleration(v)
-    (way, _, metre), (slowing, _, metre_a_second) = in_moderate_units(v), in_moderate_units(a)
+    (way, _, metre), (slowing, _, metre_a_second) = (
+        in_moderate_units(v),
+        in_moderate_units(a),
+    )
     speed_squared, closing = np.vecdot(way, way), -np.vecdot(way, slowing)
-    with np.errstate(over="ignore"):  # hardly any friction takes longer than any float
+    with np.errstate(
+        over="ignore"
+    ):  # hardly any friction takes longer than any float
         second = metre / metre_a_second  # 1, unless a number is extreme
-        stops = (speed_squared > 0) & (speed_squared <= closing * (dt / second))
-        stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0) * second, np.inf)
+        stops = (speed_squared > 0) & (
+            speed_squared <= closing * (dt / second)
+        )
+        stopping_time = np.where(
+            stops,
+            speed_squared / np.where(stops, closing, 1.0) * second,
+            np.inf,
+        )
     first = np.minimum(stopping_time, dt)[..., None]
     p = p + v * first + a * first * first / 2
     v = np.where(stops[..., None], 0.0, v + a * first)

@@ -6,7 +6,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
-from solutions.checks import between, finite, in_unit_interval, matrix, not_negative, positive, unit, vector
+from solutions.checks import (
+    between,
+    finite,
+    in_unit_interval,
+    matrix,
+    not_negative,
+    positive,
+    unit,
+    vector,
+)
 from solutions.friction.support import less_normal_part
 from solutions.scaling import in_unit, moderate_equations, power_of_two
 
@@ -22,7 +31,7 @@ def point_inverse_mass(
     inverse_inertia: ArrayLike,
     arm: ArrayLike,
 ) -> Array:
-    """Matrix K that turns an impulse at a point into the point's change of velocity.
+    """Matrix K that turns an impulse at a point into its change of velocity.
 
     For two bodies the changes of u = ṗ_A − ṗ_B add up: K = K_A + K_B.
 
@@ -44,26 +53,44 @@ def point_inverse_mass(
 
     Notes
     -----
-    An impulse J changes v by J/m and ω by I⁻¹(r × J). The velocity v + ω × r of the
-    point therefore changes by J/m + (I⁻¹(r × J)) × r. Write r × as the matrix [r×]; the
-    last product is −[r×] I⁻¹ [r×] J, and the whole change is K J with
+    An impulse J changes v by J/m and ω by I⁻¹(r × J). The velocity v + ω × r
+    of the point therefore changes by J/m + (I⁻¹(r × J)) × r. Write r × as the
+    matrix [r×]; the last product is −[r×] I⁻¹ [r×] J, and the whole change is
+    K J with
 
         K = 1/m − [r×] I⁻¹ [r×]
 
-    Along the normal alone, n·K n is `inverse_effective_mass`, which the lecture derives
-    term by term. The two functions are independent so that they can be compared.
+    Along the normal alone, n·K n is `inverse_effective_mass`, which the
+    lecture derives term by term. The two functions are independent so that
+    they can be compared.
     """
     # This is [r×]ᵀ = −[r×].
-    across = np.cross(finite("arm", vector("arm", arm))[..., None, :], np.eye(3))
-    shares = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None, None] * np.eye(3)
-    return np.asarray(shares + np.swapaxes(across, -1, -2) @ matrix("inverse_inertia", inverse_inertia) @ across)
+    across = np.cross(
+        finite("arm", vector("arm", arm))[..., None, :], np.eye(3)
+    )
+    shares = finite(
+        "inverse_mass", not_negative("inverse_mass", inverse_mass)
+    )[..., None, None] * np.eye(3)
+    return np.asarray(
+        shares
+        + np.swapaxes(across, -1, -2)
+        @ matrix("inverse_inertia", inverse_inertia)
+        @ across
+    )
 
 
 def positive_definite(inverse_mass: Array) -> Array:
-    """Return matrices K; refuse one that leaves no impulse to stop the two bodies."""
-    singular = np.linalg.det(inverse_mass) <= SINGULAR * np.linalg.norm(inverse_mass, axis=-1).prod(axis=-1)
-    if np.any(singular) or np.any(np.diagonal(inverse_mass, axis1=-2, axis2=-1) <= 0):
-        raise ValueError("inverse_mass must be positive definite: no impulse stops two immovable bodies")
+    """Return matrices K; refuse one with which no impulse stops the bodies."""
+    singular = np.linalg.det(inverse_mass) <= SINGULAR * np.linalg.norm(
+        inverse_mass, axis=-1
+    ).prod(axis=-1)
+    if np.any(singular) or np.any(
+        np.diagonal(inverse_mass, axis1=-2, axis2=-1) <= 0
+    ):
+        raise ValueError(
+            "inverse_mass must be positive definite: no impulse stops two"
+            " immovable bodies"
+        )
     return inverse_mass
 
 
@@ -76,12 +103,13 @@ def friction_impulse(
 ) -> Array:
     """Impulse on body A at a contact with friction; −J acts on body B.
 
-    Along the normal the points rebound by Newton's rule. The contact grips if friction
-    can stop the slip; otherwise it slips.
+    Along the normal the points rebound by Newton's rule. The contact grips if
+    friction can stop the slip; otherwise it slips.
 
     Parameters
     ----------
-    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact, m/s
+    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact,
+    m/s
     normal : (..., 3), unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1
@@ -95,44 +123,68 @@ def friction_impulse(
     Raises
     ------
     ValueError
-        If e is not from 0 to 1, μ is negative, a normal does not have length 1,
-        something is not finite, or K cannot be inverted: the K of two immovable bodies,
-        or of one that only turns about a pivot and one that is immovable.
+        If e is not from 0 to 1, μ is negative, a normal does not have length
+        1, something is not finite, or K cannot be inverted: the K of two
+        immovable bodies, or of one that only turns about a pivot and one that
+        is immovable.
 
     Notes
     -----
-    1. Grip: try the impulse that stops the slip and reverses the approach as Newton's
-       rule says. The velocity after it is −e u_n n, so that K J = −u − e u_n n.
+    1. Grip: try the impulse that stops the slip and reverses the approach as
+       Newton's rule says. The velocity after it is −e u_n n, so that K J = −u
+       − e u_n n.
     2. If this impulse lies within the cone ‖J_t‖ ≤ μ J·n, it is the answer.
-    3. Slip: otherwise J = j (n + μ d), where d is the direction of the grip's J_t.
-       Newton's rule along the normal gives j: j n·K(n + μ d) = −(1 + e) u_n. There is
-       always an answer, because the grip's J has one, and so has n alone.
+    3. Slip: otherwise J = j (n + μ d), where d is the direction of the grip's
+       J_t. Newton's rule along the normal gives j: j n·K(n + μ d) = −(1 + e)
+       u_n. There is always an answer, because the grip's J has one, and so has
+       n alone.
 
-    For a sphere, d is opposed to the slip. In the plane, d is always opposed to the
-    slip that is left. In space, with a K that couples the directions, it is only near
-    that: for odd bodies it is 6° off in the median and 68° at worst.
+    For a sphere, d is opposed to the slip. In the plane, d is always opposed
+    to the slip that is left. In space, with a K that couples the directions,
+    it is only near that: for odd bodies it is 6° off in the median and 68° at
+    worst.
 
-    The impact is one instant, and a slip that stops and turns round within it is not
-    followed. The energy may therefore rise, as it may wherever Newton's restitution
-    meets Coulomb's friction (see `impact_energy`). It does so in about one of a
-    thousand random impacts of two odd bodies, at worst by more energy than the contact
-    had. In exchange the points always part at e times the speed of their approach, and
-    friction opposes the slip that is left, as nearly as said above.
-    `dissipative_impulse` gives up the second, and `poisson_impulse` and
-    `stronge_impulse` give up the first: none of the three adds energy.
+    The impact is one instant, and a slip that stops and turns round within it
+    is not followed. The energy may therefore rise, as it may wherever Newton's
+    restitution meets Coulomb's friction (see `impact_energy`). It does so in
+    about one of a thousand random impacts of two odd bodies, at worst by more
+    energy than the contact had. In exchange the points always part at e times
+    the speed of their approach, and friction opposes the slip that is left, as
+    nearly as said above. `dissipative_impulse` gives up the second, and
+    `poisson_impulse` and `stronge_impulse` give up the first: none of the
+    three adds energy.
     """
-    u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
-    e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
+    u, n = (
+        finite("velocity", vector("velocity", velocity)),
+        unit("normal", vector("normal", normal)),
+    )
+    e, mu = (
+        in_unit_interval("restitution", restitution),
+        finite("friction", not_negative("friction", friction)),
+    )
     k, u, smaller = moderate_equations(matrix("inverse_mass", inverse_mass), u)
     k, approach = positive_definite(k), np.vecdot(u, n)
-    grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]
+    grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[
+        ..., 0
+    ]
     across = less_normal_part(grip, n)
     sticks = np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n)
     size = np.linalg.norm(across, axis=-1, keepdims=True)
     edge = n + mu[..., None] * across / np.where(size > 0, size, 1.0)
-    gained = np.vecdot(n, np.matvec(k, edge))  # above zero wherever the contact slips
-    slip = (-(1 + e) * approach / np.where(gained > 0, gained, 1.0))[..., None] * edge
-    return in_unit(np.where((approach < 0)[..., None], np.where(sticks[..., None], grip, slip), 0.0), smaller)
+    gained = np.vecdot(
+        n, np.matvec(k, edge)
+    )  # above zero wherever the contact slips
+    slip = (-(1 + e) * approach / np.where(gained > 0, gained, 1.0))[
+        ..., None
+    ] * edge
+    return in_unit(
+        np.where(
+            (approach < 0)[..., None],
+            np.where(sticks[..., None], grip, slip),
+            0.0,
+        ),
+        smaller,
+    )
 
 
 def impact_energy(
@@ -159,13 +211,15 @@ def impact_energy(
 
     Notes
     -----
-    The work of an impulse is the impulse times the mean of the velocities before and
-    after it, which are u and u + K J:
+    The work of an impulse is the impulse times the mean of the velocities
+    before and after it, which are u and u + K J:
 
         J·(u + K J/2)
     """
     j, k = vector("impulse", impulse), matrix("inverse_mass", inverse_mass)
-    return np.asarray(np.vecdot(j, vector("velocity", velocity) + np.matvec(k, j) / 2))
+    return np.asarray(
+        np.vecdot(j, vector("velocity", velocity) + np.matvec(k, j) / 2)
+    )
 
 
 def sphere_grips(
@@ -189,19 +243,25 @@ def sphere_grips(
     Raises
     ------
     ValueError
-        If e is not from 0 to 1, another number is negative, or μ or v_n is not finite.
+        If e is not from 0 to 1, another number is negative, or μ or v_n is not
+        finite.
 
     Notes
     -----
-    An impulse J_t along the floor changes the slip by J_t/m through the velocity of the
-    centre and by 5/2 J_t/m through the spin, together by 7/2 J_t/m. The normal impulse
-    is m (1 + e) v_n, so that J_t is at most μ m (1 + e) v_n. This ends the slip if
+    An impulse J_t along the floor changes the slip by J_t/m through the
+    velocity of the centre and by 5/2 J_t/m through the spin, together by 7/2
+    J_t/m. The normal impulse is m (1 + e) v_n, so that J_t is at most μ m (1 +
+    e) v_n. This ends the slip if
 
         |u_t| ≤ (7/2) μ (1 + e) v_n
     """
     mu = finite("friction", not_negative("friction", friction))
-    speed = finite("approach_speed", not_negative("approach_speed", approach_speed))
-    most = 3.5 * mu * (1 + in_unit_interval("restitution", restitution)) * speed
+    speed = finite(
+        "approach_speed", not_negative("approach_speed", approach_speed)
+    )
+    most = (
+        3.5 * mu * (1 + in_unit_interval("restitution", restitution)) * speed
+    )
     return np.asarray(not_negative("slip", slip) <= most, dtype=bool)
 
 
@@ -224,7 +284,8 @@ def sphere_impact(
     normal : (..., 3), unit, out of the plane
     radius : (...), R, m
     restitution, friction : (...), e, 0 to 1, and μ
-    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow one
+    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow
+    one
 
     Returns
     -------
@@ -233,21 +294,31 @@ def sphere_impact(
     Raises
     ------
     ValueError
-        As friction_impulse, or if the radius or the inertia is not positive and finite.
+        As friction_impulse, or if the radius or the inertia is not positive
+        and finite.
 
     Notes
     -----
-    The arm from the centre to the contact is r = −R n. The impulse and the inertia are
-    both proportional to the mass, so that the mass drops out. The code measures lengths
-    in a power of two near R, so that they may have any size.
+    The arm from the centre to the contact is r = −R n. The impulse and the
+    inertia are both proportional to the mass, so that the mass drops out. The
+    code measures lengths in a power of two near R, so that they may have any
+    size.
     """
-    v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
+    v, spin, n = (
+        vector("velocity", velocity),
+        vector("angular_velocity", angular_velocity),
+        vector("normal", normal),
+    )
     r = finite("radius", positive("radius", radius))[..., None]
-    share = finite("inertia_share", positive("inertia_share", inertia_share))[..., None]
+    share = finite("inertia_share", positive("inertia_share", inertia_share))[
+        ..., None
+    ]
     length = power_of_two(r)
     arm, inertia = -(r / length) * n, share * (r / length) ** 2
     k = point_inverse_mass(1.0, np.eye(3) / inertia[..., None], arm)
-    j = friction_impulse(v + np.cross(spin * length, arm), n, k, restitution, friction)
+    j = friction_impulse(
+        v + np.cross(spin * length, arm), n, k, restitution, friction
+    )
     return v + j, spin + np.cross(arm, j) / inertia / length
 
 
@@ -270,9 +341,10 @@ def superball_impact(
     radius : (...), R, m
     restitution, friction : (...), e, 0 to 1, and μ
     tangent_restitution : (...), e_t, −1 to 1
-        0 stops the slip as `sphere_impact` does, 1 reverses it, and −1 leaves it as it
-        is.
-    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow one
+        0 stops the slip as `sphere_impact` does, 1 reverses it, and −1 leaves
+        it as it is.
+    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow
+    one
 
     Returns
     -------
@@ -285,21 +357,29 @@ def superball_impact(
 
     Notes
     -----
-    Where the sphere grips, its slip u_t reverses as Newton's rule reverses u_n:
+    Where the sphere grips, its slip u_t reverses as Newton's rule reverses
+    u_n:
 
         u_t⁺ = −e_t u_t
 
-    Stopping the slip takes an impulse in proportion to u_t, and reversing it 1 + e_t
-    times this impulse. That is the impulse which stops a slip of (1 + e_t) u_t. So the
-    code adds e_t u_t to the velocity, lets `sphere_impact` find the impact, and takes
-    e_t u_t away again. Where the impulse would be more than μ times the normal impulse,
-    the sphere slides, and e_t plays no part (Walton 1993). With e = e_t = 1 and enough
-    friction the energy stays as it was: this is Garwin's "ultraelastic rough ball"
-    (1969). Cross (2002) measured about 0.76 for a superball.
+    Stopping the slip takes an impulse in proportion to u_t, and reversing it 1
+    + e_t times this impulse. That is the impulse which stops a slip of (1 +
+    e_t) u_t. So the code adds e_t u_t to the velocity, lets `sphere_impact`
+    find the impact, and takes e_t u_t away again. Where the impulse would be
+    more than μ times the normal impulse, the sphere slides, and e_t plays no
+    part (Walton 1993). With e = e_t = 1 and enough friction the energy stays
+    as it was: this is Garwin's "ultraelastic rough ball" (1969). Cross (2002)
+    measured about 0.76 for a superball.
     """
-    v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
+    v, spin, n = (
+        vector("velocity", velocity),
+        vector("angular_velocity", angular_velocity),
+        vector("normal", normal),
+    )
     arm = -np.asarray(radius, dtype=float)[..., None] * n
     e_t = between("tangent_restitution", tangent_restitution, -1, 1)[..., None]
     more = e_t * less_normal_part(v + np.cross(spin, arm), n)
-    after, spin_after = sphere_impact(v + more, spin, n, radius, restitution, friction, inertia_share)
+    after, spin_after = sphere_impact(
+        v + more, spin, n, radius, restitution, friction, inertia_share
+    )
     return after - more, spin_after

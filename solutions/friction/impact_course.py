@@ -51,7 +51,9 @@ class Course:
         self.impulse, self.work = np.zeros_like(start), np.zeros(len(start))
         speed = np.linalg.norm(start, axis=-1)
         rounding = SPEED_ROUNDING * np.linalg.cond(k)
-        self.smallest, self.accepted = speed * np.maximum([[STOPPED], [ACCURACY]], rounding)
+        self.smallest, self.accepted = speed * np.maximum(
+            [[STOPPED], [ACCURACY]], rounding
+        )
         self.rate = (1 + mu) * np.linalg.norm(k, axis=(-2, -1))
         self.step = FIRST_STEP * speed / self.rate
 
@@ -86,12 +88,20 @@ def follow(course: Course, end: End, target: Array) -> None:
     h = K_tt⁻¹ K_tn of the normal impulse: it sticks if ‖h‖ ≤ μ. Otherwise it slips off
     in the one direction in which it then continues (see `direction_of_renewed_slip`).
     """
-    on = np.flatnonzero(_reached(course, np.arange(len(target)), course.impulse, course.work, end) < target)
+    on = np.flatnonzero(
+        _reached(
+            course, np.arange(len(target)), course.impulse, course.work, end
+        )
+        < target
+    )
     for _ in range(MOST_ROUNDS):
         if not len(on):
             return
         on = on[~_advance(course, on, end, target[on])]
-    raise ValueError(f"friction or inverse_mass is too extreme to follow an impact: with mu = {course.mu[on[0]]:g}")
+    raise ValueError(
+        "friction or inverse_mass is too extreme to follow an impact: with"
+        f" mu = {course.mu[on[0]]:g}"
+    )
 
 
 def direction_of_renewed_slip(k: Array, mu: Array) -> Array:
@@ -115,39 +125,66 @@ def direction_of_renewed_slip(k: Array, mu: Array) -> Array:
     low, high = np.zeros(len(mu)), np.linalg.norm(pull, axis=-1)
     for _ in range(HALVINGS):
         beta = (low + high) / 2
-        short = np.linalg.norm(_solve(across + beta[:, None, None] * np.eye(2), pull), axis=-1) < 1
+        short = (
+            np.linalg.norm(
+                _solve(across + beta[:, None, None] * np.eye(2), pull), axis=-1
+            )
+            < 1
+        )
         low, high = np.where(short, low, beta), np.where(short, beta, high)
     s = _solve(across + high[:, None, None] * np.eye(2), pull)
     return np.asarray(s / np.linalg.norm(s, axis=-1, keepdims=True))
 
 
-def _reached(course: Course, on: Integers, impulse: Array, work: Array, end: End) -> Array:
+def _reached(
+    course: Course, on: Integers, impulse: Array, work: Array, end: End
+) -> Array:
     """How far the contacts `on` are, in what says that the part is over, (n,)."""
     if end == "work":
         return work
-    return np.asarray(impulse[:, 2] if end == "impulse" else course.velocity(on, impulse)[:, 2])
+    return np.asarray(
+        impulse[:, 2]
+        if end == "impulse"
+        else course.velocity(on, impulse)[:, 2]
+    )
 
 
-def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
+def _advance(
+    course: Course, on: Integers, end: End, target: Array
+) -> Booleans:
     """One leg or one step of the contacts `on`; returns which of them have ended."""
     u = course.velocity(on, course.impulse[on])
     slip = np.linalg.norm(u[:, :2], axis=-1)
     still = slip <= course.smallest[on]
     s = u[:, :2] / np.where(still, 1.0, slip)[:, None]
     turning, settling, slowing = _turn(course, on, s)
-    near = np.minimum(SETTLED, course.smallest[on] / np.where(still, 1.0, slip))
+    near = np.minimum(
+        SETTLED, course.smallest[on] / np.where(still, 1.0, slip)
+    )
     settled = ~still & (settling > 0) & (np.abs(turning) <= near * settling)
-    s[settled] += (turning[settled] / settling[settled])[:, None] * _across(s[settled])
+    s[settled] += (turning[settled] / settling[settled])[:, None] * _across(
+        s[settled]
+    )
     s[settled] /= np.linalg.norm(s[settled], axis=-1, keepdims=True)
     slowing[settled] = _turn(course, on[settled], s[settled])[2]
-    push = np.concatenate([-course.mu[on][:, None] * s, np.ones((len(on), 1))], axis=-1)
+    push = np.concatenate(
+        [-course.mu[on][:, None] * s, np.ones((len(on), 1))], axis=-1
+    )
     if np.any(still):
-        push[still] = _push_without_slip(course.k[on][still], course.mu[on][still])
+        push[still] = _push_without_slip(
+            course.k[on][still], course.mu[on][still]
+        )
     change = np.matvec(course.k[on], push)
-    straight = still | settled | (np.abs(turning) <= STRAIGHT * course.rate[on])
+    straight = (
+        still | settled | (np.abs(turning) <= STRAIGHT * course.rate[on])
+    )
     straight |= slip * np.abs(turning) <= course.smallest[on] * slowing
     done = np.zeros(len(on), dtype=bool)
-    stop = np.where(~still & (slowing > 0), slip / np.where(slowing > 0, slowing, 1.0), np.inf)
+    stop = np.where(
+        ~still & (slowing > 0),
+        slip / np.where(slowing > 0, slowing, 1.0),
+        np.inf,
+    )
     legs = (x[straight] for x in (u[:, 2], push, change[:, 2], stop, target))
     done[straight] = _leg(course, on[straight], end, *legs)
     accepted = np.minimum(course.accepted[on], OF_THE_SLIP * slip)
@@ -156,16 +193,23 @@ def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
     return done
 
 
-def _turn(course: Course, on: Integers, s: Array) -> tuple[Array, Array, Array]:
+def _turn(
+    course: Course, on: Integers, s: Array
+) -> tuple[Array, Array, Array]:
     """How fast a slip along s turns, settles in a direction and slows down, (n,).
 
     Each for a unit of normal impulse: the change of the velocity across the slip, the
     share λ with which what is left across falls, and the loss of speed, all in 1/kg.
     """
     across, stiff = _across(s), course.k[on]
-    change = stiff[:, :2, 2] - course.mu[on][:, None] * np.matvec(stiff[:, :2, :2], s)
+    change = stiff[:, :2, 2] - course.mu[on][:, None] * np.matvec(
+        stiff[:, :2, :2], s
+    )
     slowing = -np.vecdot(s, change)
-    settling = course.mu[on] * np.vecdot(across, np.matvec(stiff[:, :2, :2], across)) - slowing
+    settling = (
+        course.mu[on] * np.vecdot(across, np.matvec(stiff[:, :2, :2], across))
+        - slowing
+    )
     return np.vecdot(across, change), settling, slowing
 
 
@@ -179,19 +223,30 @@ def _push_without_slip(k: Array, mu: Array) -> Array:
     hold = -_solve(k[:, :2, :2], k[:, :2, 2])
     lost = np.linalg.norm(hold, axis=-1) > mu
     if np.any(lost):
-        hold[lost] = -mu[lost, None] * direction_of_renewed_slip(k[lost], mu[lost])
+        hold[lost] = -mu[lost, None] * direction_of_renewed_slip(
+            k[lost], mu[lost]
+        )
     return np.concatenate([hold, np.ones((len(mu), 1))], axis=-1)
 
 
 def _leg(
-    course: Course, on: Integers, end: End, speed: Array, push: Array, gain: Array, stop: Array, target: Array
+    course: Course,
+    on: Integers,
+    end: End,
+    speed: Array,
+    push: Array,
+    gain: Array,
+    stop: Array,
+    target: Array,
 ) -> Booleans:
     """Advance in a straight leg to the end, or to where the slip stops.
 
     speed: u_n. gain: what a unit of normal impulse adds to it. stop: the normal impulse
     after which the slip stops. All (n,).
     """
-    left = target - _reached(course, on, course.impulse[on], course.work[on], end)
+    left = target - _reached(
+        course, on, course.impulse[on], course.work[on], end
+    )
     with np.errstate(divide="ignore", invalid="ignore"):
         if end == "speed":
             whole = np.where(gain > 0, left / gain, np.inf)
@@ -206,7 +261,14 @@ def _leg(
     return np.asarray(whole <= stop)
 
 
-def _steps(course: Course, on: Integers, end: End, longest: Array, accepted: Array, target: Array) -> Booleans:
+def _steps(
+    course: Course,
+    on: Integers,
+    end: End,
+    longest: Array,
+    accepted: Array,
+    target: Array,
+) -> Booleans:
     """Advance by a step of a slip that turns, or by as much of it as leads to the end.
 
     longest: how long a step may be, as a normal impulse, (n,). accepted: how wrong it
@@ -216,16 +278,24 @@ def _steps(course: Course, on: Integers, end: End, longest: Array, accepted: Arr
     step = np.minimum(course.step[on], longest)
     impulse, work, error = _double_step(course, on, step)
     good = error <= accepted
-    course.step[on] = step * np.clip(0.9 * (accepted / np.maximum(error, TINY)) ** 0.2, 0.2, 4.0)
+    course.step[on] = step * np.clip(
+        0.9 * (accepted / np.maximum(error, TINY)) ** 0.2, 0.2, 4.0
+    )
     done = good & (_reached(course, on, impulse, work, end) >= target)
     if np.any(done):
-        step[done] = _part_of_step(course, on[done], step[done], end, target[done])
-        impulse[done], work[done], _ = _double_step(course, on[done], step[done])
+        step[done] = _part_of_step(
+            course, on[done], step[done], end, target[done]
+        )
+        impulse[done], work[done], _ = _double_step(
+            course, on[done], step[done]
+        )
     course.impulse[on[good]], course.work[on[good]] = impulse[good], work[good]
     return np.asarray(done)
 
 
-def _part_of_step(course: Course, on: Integers, step: Array, end: End, target: Array) -> Array:
+def _part_of_step(
+    course: Course, on: Integers, step: Array, end: End, target: Array
+) -> Array:
     """Part of a step (n,) that leads just to the end, by Newton's rule in bounds."""
     low, high, part = np.zeros(len(on)), step, step
     for _ in range(HALVINGS):
@@ -235,31 +305,43 @@ def _part_of_step(course: Course, on: Integers, step: Array, end: End, target: A
         now = np.concatenate([impulse, work[:, None]], axis=-1)
         growth = _slope(course.start[on], course.k[on], course.mu[on], now)
         speed = np.vecdot(course.k[on, 2], growth[:, :3])
-        gain = {"speed": speed, "impulse": growth[:, 2], "work": growth[:, 3]}[end]
+        gain = {"speed": speed, "impulse": growth[:, 2], "work": growth[:, 3]}[
+            end
+        ]
         guess = part - off / np.where(gain > 0, gain, TINY)
-        guess = np.where((guess > low) & (guess < high), guess, (low + high) / 2)
+        guess = np.where(
+            (guess > low) & (guess < high), guess, (low + high) / 2
+        )
         moved, part = np.abs(guess - part), guess
         if np.all(moved <= CLOSE * step):
             break
     return part
 
 
-def _double_step(course: Course, on: Integers, step: Array) -> tuple[Array, Array, Array]:
+def _double_step(
+    course: Course, on: Integers, step: Array
+) -> tuple[Array, Array, Array]:
     """Impulse and work after a step (n,) of p, and the error of the velocity, m/s.
 
     The step is taken once whole and once in two halves. Their difference is the error,
     and the two together are more accurate than either.
     """
     contact = course.start[on], course.k[on], course.mu[on]
-    now = np.concatenate([course.impulse[on], course.work[on][:, None]], axis=-1)
+    now = np.concatenate(
+        [course.impulse[on], course.work[on][:, None]], axis=-1
+    )
     whole = _runge_kutta(*contact, now, step)
-    halves = _runge_kutta(*contact, _runge_kutta(*contact, now, step / 2), step / 2)
+    halves = _runge_kutta(
+        *contact, _runge_kutta(*contact, now, step / 2), step / 2
+    )
     off = (halves - whole) / 15
     error = np.linalg.norm(np.matvec(contact[1], off[:, :3]), axis=-1)
     return (halves + off)[:, :3], (halves + off)[:, 3], np.asarray(error)
 
 
-def _runge_kutta(start: Array, k: Array, mu: Array, now: Array, step: Array) -> Array:
+def _runge_kutta(
+    start: Array, k: Array, mu: Array, now: Array, step: Array
+) -> Array:
     """Impulse and work, (n, 4), after a step (n,), by the classical rule."""
     h = step[:, None]
     first = _slope(start, k, mu, now)
@@ -274,7 +356,9 @@ def _slope(start: Array, k: Array, mu: Array, now: Array) -> Array:
     u = start + np.matvec(k, now[:, :3])
     slip = np.sqrt(np.vecdot(u[:, :2], u[:, :2]))
     rubbed = -mu / np.where(slip > 0, slip, 1.0)
-    return np.concatenate([rubbed[:, None] * u[:, :2], np.ones((len(u), 1)), u[:, 2:]], axis=-1)
+    return np.concatenate(
+        [rubbed[:, None] * u[:, :2], np.ones((len(u), 1)), u[:, 2:]], axis=-1
+    )
 
 
 def _solve(k: Array, right: Array) -> Array:

@@ -65,12 +65,23 @@ def roll_step(
     A ball that starts without spin therefore rolls with 5/7 of its speed,
     whatever μ is: a smaller μ only takes longer.
     """
-    v, omega = finite("velocity", vector("velocity", velocity)), finite("spin", vector("spin", spin))
+    v, omega = (
+        finite("velocity", vector("velocity", velocity)),
+        finite("spin", vector("spin", spin)),
+    )
     if np.any(v[..., 2]):
-        raise ValueError("velocity must be along the floor: its z component must be 0")
+        raise ValueError(
+            "velocity must be along the floor: its z component must be 0"
+        )
     size = finite("radius", positive("radius", radius))[..., None]
-    most = finite("friction", not_negative("friction", friction)) * finite("gravity", not_negative("gravity", gravity))
+    most = finite("friction", not_negative("friction", friction)) * finite(
+        "gravity", not_negative("gravity", gravity)
+    )
     arm = -size * UP
     slip = v + np.cross(omega, arm)
-    impulse = clamp_to_circle(-2 / 7 * slip, most * finite("dt", not_negative("dt", dt)))
-    return np.asarray(v + impulse), np.asarray(omega + np.cross(arm, impulse) / (2 / 5 * size**2))
+    impulse = clamp_to_circle(
+        -2 / 7 * slip, most * finite("dt", not_negative("dt", dt))
+    )
+    return np.asarray(v + impulse), np.asarray(
+        omega + np.cross(arm, impulse) / (2 / 5 * size**2)
+    )

@@ -65,10 +65,16 @@ def support_force(
 
         F_t = F_all − (F_all·n) n
     """
-    fall = vector("gravity", gravity) - vector("frame_acceleration", frame_acceleration)
-    force = finite("mass", positive("mass", mass))[..., None] * fall + vector("push", push)
+    fall = vector("gravity", gravity) - vector(
+        "frame_acceleration", frame_acceleration
+    )
+    force = finite("mass", positive("mass", mass))[..., None] * fall + vector(
+        "push", push
+    )
     n = unit("normal", vector("normal", normal))
-    return np.asarray(np.maximum(0.0, -np.vecdot(force, n))), less_normal_part(force, n)
+    return np.asarray(np.maximum(0.0, -np.vecdot(force, n))), less_normal_part(
+        force, n
+    )
 
 
 def less_normal_part(vectors: Array, normal: Array) -> Array:
@@ -106,7 +112,14 @@ def friction_angle(static_friction: ArrayLike) -> Array:
     infinite one would have to hold it with ∞·0 N. That has no value, so this function
     refuses infinity, as `holds`, `friction_force` and `sphere_grips` do.
     """
-    return np.asarray(np.arctan(finite("static_friction", not_negative("static_friction", static_friction))))
+    return np.asarray(
+        np.arctan(
+            finite(
+                "static_friction",
+                not_negative("static_friction", static_friction),
+            )
+        )
+    )
 
 
 def break_away_time(
@@ -160,9 +173,18 @@ def break_away_time(
 
     which loses no digits where N and F_t end almost together.
     """
-    n, mu = unit("normal", vector("normal", normal)), not_negative("static_friction", static_friction)
-    force, rate = finite("force", vector("force", force)), finite("force_rate", vector("force_rate", force_rate))
-    (force, _, newton), (rate, _, newton_a_second) = in_moderate_units(force), in_moderate_units(rate)
+    n, mu = (
+        unit("normal", vector("normal", normal)),
+        not_negative("static_friction", static_friction),
+    )
+    force, rate = (
+        finite("force", vector("force", force)),
+        finite("force_rate", vector("force_rate", force_rate)),
+    )
+    (force, _, newton), (rate, _, newton_a_second) = (
+        in_moderate_units(force),
+        in_moderate_units(rate),
+    )
     press, press_rate = -np.vecdot(force, n), -np.vecdot(rate, n)
     f, rate = less_normal_part(force, n), less_normal_part(rate, n)
     held = holds(f, np.maximum(0.0, press), mu) & (press >= 0)
@@ -170,12 +192,23 @@ def break_away_time(
     b = np.vecdot(f, rate) - mu**2 * press * press_rate
     # At the limit of `holds`, rounding may make c positive.
     c = np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2)
-    spread, across = press[..., None] * rate - press_rate[..., None] * f, np.cross(f, rate)
-    root = np.sqrt(np.maximum(0.0, mu**2 * np.vecdot(spread, spread) - np.vecdot(across, across)))
+    spread, across = (
+        press[..., None] * rate - press_rate[..., None] * f,
+        np.cross(f, rate),
+    )
+    root = np.sqrt(
+        np.maximum(
+            0.0, mu**2 * np.vecdot(spread, spread) - np.vecdot(across, across)
+        )
+    )
     with np.errstate(divide="ignore", invalid="ignore"):
-        leaves = np.where(b > 0, -c / (b + root), np.where(a > 0, (root - b) / a, np.inf))
+        leaves = np.where(
+            b > 0, -c / (b + root), np.where(a > 0, (root - b) / a, np.inf)
+        )
         lifts = np.where(press_rate < 0, -press / press_rate, np.inf)
-        return np.where(held, np.minimum(leaves, lifts) * newton / newton_a_second, 0.0)
+        return np.where(
+            held, np.minimum(leaves, lifts) * newton / newton_a_second, 0.0
+        )
 
 
 def stick_slip_times(
@@ -231,8 +264,22 @@ def stick_slip_times(
 
     In a cycle the block travels V (t_slip + t_stick).
     """
-    k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
-    speed, frequency = finite("drive_speed", positive("drive_speed", drive_speed)), np.sqrt(k / m)
-    excess = finite("static_friction", static_friction) - not_negative("kinetic_friction", kinetic_friction)
-    a = not_negative("static_friction less kinetic_friction", excess) * not_negative("normal_force", normal_force) / k
-    return 2 * a / speed, 2 / frequency * (np.pi - np.arctan2(a * frequency, speed))
+    k, m = (
+        finite("stiffness", positive("stiffness", stiffness)),
+        finite("mass", positive("mass", mass)),
+    )
+    speed, frequency = (
+        finite("drive_speed", positive("drive_speed", drive_speed)),
+        np.sqrt(k / m),
+    )
+    excess = finite("static_friction", static_friction) - not_negative(
+        "kinetic_friction", kinetic_friction
+    )
+    a = (
+        not_negative("static_friction less kinetic_friction", excess)
+        * not_negative("normal_force", normal_force)
+        / k
+    )
+    return 2 * a / speed, 2 / frequency * (
+        np.pi - np.arctan2(a * frequency, speed)
+    )

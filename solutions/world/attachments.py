@@ -24,7 +24,9 @@ ForceAndTorque = tuple[Array, Array]
 """On each body, (..., n, 3) each, N and N m; the torque is about its centre of mass."""
 
 
-def point_motion(state: AnyState, body: ArrayLike, point: ArrayLike) -> tuple[Array, Array]:
+def point_motion(
+    state: AnyState, body: ArrayLike, point: ArrayLike
+) -> tuple[Array, Array]:
     """Where points of bodies are in the world, and how they move (slide 14).
 
     Parameters
@@ -45,14 +47,25 @@ def point_motion(state: AnyState, body: ArrayLike, point: ArrayLike) -> tuple[Ar
         components.
     """
     position, orientation, velocity, spin = arrays_of(state)
-    number, own = body_numbers("body", body, position.shape[-2]), in_space("point", point)
+    number, own = (
+        body_numbers("body", body, position.shape[-2]),
+        in_space("point", point),
+    )
     of_body = (number != WORLD)[:, None]
-    arm = (rotation_matrix(orientation[..., number, :]) @ own[..., None])[..., 0]
-    moving = point_velocity(velocity[..., number, :], spin[..., number, :], arm)
-    return np.where(of_body, position[..., number, :] + arm, own), np.where(of_body, moving, 0.0)
+    arm = (rotation_matrix(orientation[..., number, :]) @ own[..., None])[
+        ..., 0
+    ]
+    moving = point_velocity(
+        velocity[..., number, :], spin[..., number, :], arm
+    )
+    return np.where(of_body, position[..., number, :] + arm, own), np.where(
+        of_body, moving, 0.0
+    )
 
 
-def forces_at_points(state: AnyState, body: ArrayLike, place: ArrayLike, force: ArrayLike) -> ForceAndTorque:
+def forces_at_points(
+    state: AnyState, body: ArrayLike, place: ArrayLike, force: ArrayLike
+) -> ForceAndTorque:
     """What m forces at points of bodies add up to on each body.
 
     Parameters
@@ -83,22 +96,44 @@ def forces_at_points(state: AnyState, body: ArrayLike, place: ArrayLike, force: 
     arm = vector("place", place)[..., pulled, :] - position[..., number, :]
     total, torque = np.zeros_like(position), np.zeros_like(position)
     # total[number] += f would keep only one of several forces on the same body.
-    np.add.at(np.moveaxis(total, -2, 0), number, np.moveaxis(np.broadcast_to(f, arm.shape), -2, 0))
-    np.add.at(np.moveaxis(torque, -2, 0), number, np.moveaxis(np.cross(arm, f), -2, 0))
+    np.add.at(
+        np.moveaxis(total, -2, 0),
+        number,
+        np.moveaxis(np.broadcast_to(f, arm.shape), -2, 0),
+    )
+    np.add.at(
+        np.moveaxis(torque, -2, 0),
+        number,
+        np.moveaxis(np.cross(arm, f), -2, 0),
+    )
     return total, torque
 
 
 def arrays_of(state: AnyState) -> tuple[Array, Array, Array, Array]:
     """Position, orientation, velocity and spin as arrays."""
-    position, orientation, velocity, spin = (np.asarray(part, dtype=float) for part in state)
-    return vector("position", position), orientation, vector("velocity", velocity), vector("angular_velocity", spin)
+    position, orientation, velocity, spin = (
+        np.asarray(part, dtype=float) for part in state
+    )
+    return (
+        vector("position", position),
+        orientation,
+        vector("velocity", velocity),
+        vector("angular_velocity", spin),
+    )
 
 
-def body_numbers(name: str, number: ArrayLike, count: int, least: int = WORLD) -> Integers:
+def body_numbers(
+    name: str, number: ArrayLike, count: int, least: int = WORLD
+) -> Integers:
     """Numbers (m,) of bodies; refuse others than `least` to count − 1."""
     found = np.asarray(number)
     if found.ndim != 1 or found.dtype.kind not in "iu":
-        raise ValueError(f"{name} must be whole numbers of the shape (m,), not {found.dtype} of {found.shape}")
+        raise ValueError(
+            f"{name} must be whole numbers of the shape (m,), not"
+            f" {found.dtype} of {found.shape}"
+        )
     if np.any((found < least) | (found >= count)):
-        raise ValueError(f"{name} must be from {least} to {count - 1}, not {found.tolist()}")
+        raise ValueError(
+            f"{name} must be from {least} to {count - 1}, not {found.tolist()}"
+        )
     return found.astype(np.int64)

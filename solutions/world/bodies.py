@@ -9,7 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.checks import finite, in_space, in_unit_interval, not_negative, of_shape, positive, unit, vector, whole
+from solutions.checks import (
+    finite,
+    in_space,
+    in_unit_interval,
+    not_negative,
+    of_shape,
+    positive,
+    unit,
+    vector,
+    whole,
+)
 from solutions.world.pieces import Pieces, pieces_of
 from solutions.world.shapes import HALF_SPACE, Shape
 
@@ -111,26 +121,50 @@ def make_bodies(
     """
     count = len(shapes)
     masses = of_shape("mass", positive("mass", mass), (count,))
-    about = of_shape("moments", not_negative("moments", vector("moments", moments)), (count, 3))
+    about = of_shape(
+        "moments",
+        not_negative("moments", vector("moments", moments)),
+        (count, 3),
+    )
     about = np.where(np.isinf(masses)[:, None], np.inf, about)
     kinds, groups = (
-        of_shape(name, finite(name, whole(name, numbers)), (count,)).astype(np.int64)
-        for name, numbers in (("material", 0 if material is None else material), ("group", group))
+        of_shape(name, finite(name, whole(name, numbers)), (count,)).astype(
+            np.int64
+        )
+        for name, numbers in (
+            ("material", 0 if material is None else material),
+            ("group", group),
+        )
     )
     not_negative("material", kinds)
     static_friction = friction if static_friction is None else static_friction
-    named = {"restitution": restitution, "friction": friction, "static_friction": static_friction, "collide": collide}
-    most = max(1 + int(np.max(kinds, initial=0)), *(len(np.atleast_1d(table)) for table in named.values()))
-    bounce, kinetic, static, meet = (_table(name, table, most) for name, table in named.items())
+    named = {
+        "restitution": restitution,
+        "friction": friction,
+        "static_friction": static_friction,
+        "collide": collide,
+    }
+    most = max(
+        1 + int(np.max(kinds, initial=0)),
+        *(len(np.atleast_1d(table)) for table in named.values()),
+    )
+    bounce, kinetic, static, meet = (
+        _table(name, table, most) for name, table in named.items()
+    )
     in_unit_interval("restitution", bounce)
     below = static < kinetic
     if np.any(below):
         found = f"{static[below][0]:g} where friction is {kinetic[below][0]:g}"
-        raise ValueError(f"static_friction must not be below friction, not {found}")
+        raise ValueError(
+            f"static_friction must not be below friction, not {found}"
+        )
     pieces = pieces_of(shapes)
     movable = (pieces.kind == HALF_SPACE) & np.isfinite(masses[pieces.body])
     if np.any(movable):
-        raise ValueError(f"a half-space must have an infinite mass, not {masses[pieces.body][movable][0]:g} kg")
+        raise ValueError(
+            "a half-space must have an infinite mass, not"
+            f" {masses[pieces.body][movable][0]:g} kg"
+        )
     inverse = np.where(np.isinf(masses), 0.0, 1 / masses)
     surfaces = Surfaces(bounce, static, kinetic, meet.astype(bool))
     return Bodies(inverse, about, kinds, groups, surfaces, pieces)
@@ -138,11 +172,16 @@ def make_bodies(
 
 def _table(name: str, values: ArrayLike, count: int) -> Array:
     """A coefficient of each two materials, the same in either order."""
-    table = of_shape(name, finite(name, not_negative(name, values)), (count, count))
+    table = of_shape(
+        name, finite(name, not_negative(name, values)), (count, count)
+    )
     if np.any(table != table.T):
         a, b = np.argwhere(table != table.T)[0]
         found = f"{table[a, b]:g} and {table[b, a]:g} for {a} and {b}"
-        raise ValueError(f"{name} must be the same for two materials in either order, not {found}")
+        raise ValueError(
+            f"{name} must be the same for two materials in either order, not"
+            f" {found}"
+        )
     return table
 
 
@@ -172,24 +211,35 @@ def make_state(
     """
     places = finite("position", vector("position", position))
     if places.ndim != 2:
-        raise ValueError(f"position must have the shape (n, 3), not {places.shape}")
+        raise ValueError(
+            f"position must have the shape (n, 3), not {places.shape}"
+        )
     count = len(places)
     return State(
         places.copy(),
         unit("orientation", of_shape("orientation", orientation, (count, 4))),
         of_shape("velocity", finite("velocity", velocity), (count, 3)),
-        of_shape("angular_velocity", finite("angular_velocity", angular_velocity), (count, 3)),
+        of_shape(
+            "angular_velocity",
+            finite("angular_velocity", angular_velocity),
+            (count, 3),
+        ),
     )
 
 
-def checked(bodies: Bodies, state: State, *loads: ArrayLike) -> tuple[State, Array, Array, Array]:
+def fitting(
+    bodies: Bodies, state: State, *loads: ArrayLike
+) -> tuple[State, Array, Array, Array]:
     """Return the state, acceleration, force and torque; refuse what does not fit."""
     count = len(bodies.inverse_mass)
     for name, array in zip(State._fields, state, strict=True):
         if len(finite(name, array)) != count:
-            raise ValueError(f"{name} must be that of {count} bodies, not of {len(array)}")
+            raise ValueError(
+                f"{name} must be that of {count} bodies, not of {len(array)}"
+            )
     names = ("acceleration", "force", "torque")
     acceleration, force, torque = (
-        of_shape(name, in_space(name, load), (count, 3)) for name, load in zip(names, loads, strict=True)
+        of_shape(name, in_space(name, load), (count, 3))
+        for name, load in zip(names, loads, strict=True)
     )
     return state, acceleration, force, torque

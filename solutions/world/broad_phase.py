@@ -21,7 +21,9 @@ AROUND = np.array([[x * ACROSS + y] for x in (-1, 0, 1) for y in (-1, 0, 1)])
 """Steps from the number of a column to the nine in and around it."""
 
 
-def candidate_pairs(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None = None) -> Integers:
+def pairs_in_grid(
+    lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None = None
+) -> Integers:
     """All pairs of boxes along the axes that overlap, each once.
 
     This is the broad phase. It does not look at all pairs, so it is fast for many
@@ -85,11 +87,27 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None 
     found = [np.empty((2, 0), dtype=np.int64)]
     for this in np.unique(size):
         box = np.flatnonzero(size <= this)
-        column, around = _columns(low[box, :2], scene[box], float(width[size == this].max()))
-        column, box = np.divmod(np.sort(column * len(low) + box), len(low))  # by column, and by height in each
+        column, around = _columns(
+            low[box, :2], scene[box], float(width[size == this].max())
+        )
+        column, box = np.divmod(
+            np.sort(column * len(low) + box), len(low)
+        )  # by column, and by height in each
         own, smaller = size[box] == this, size[box] < this
-        found.append(_beginning_within(box[own], around[:, column[own]], box, column, end))
-        found.append(_beginning_within(box[smaller], around[:, column[smaller]], box[own], column[own], end))
+        found.append(
+            _beginning_within(
+                box[own], around[:, column[own]], box, column, end
+            )
+        )
+        found.append(
+            _beginning_within(
+                box[smaller],
+                around[:, column[smaller]],
+                box[own],
+                column[own],
+                end,
+            )
+        )
     one, other = np.concatenate(found, axis=1)
     for axis in (0, 1):
         first, last = low[:, axis].copy(), high[:, axis].copy()
@@ -101,18 +119,28 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None 
 def _corners(lower: ArrayLike, upper: ArrayLike) -> tuple[Array, Array]:
     low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
     if low.shape != high.shape or low.shape[1:] != (3,):
-        raise ValueError(f"lower and upper must both have the shape (n, 3), not {low.shape} and {high.shape}")
+        raise ValueError(
+            "lower and upper must both have the shape (n, 3), not"
+            f" {low.shape} and {high.shape}"
+        )
     with np.errstate(over="ignore", invalid="ignore"):
         wrong = ~np.all(high - low >= 0, axis=1)  # true for NaN
     if np.any(wrong):
-        raise ValueError(f"lower must not be above upper, not {low[wrong][0]} and {high[wrong][0]}")
+        raise ValueError(
+            f"lower must not be above upper, not {low[wrong][0]} and"
+            f" {high[wrong][0]}"
+        )
     return low, high
 
 
 def _named(group: ArrayLike | None, count: int) -> Integers:
-    named = np.zeros(count, dtype=np.int64) if group is None else np.asarray(group)
+    named = (
+        np.zeros(count, dtype=np.int64) if group is None else np.asarray(group)
+    )
     if named.shape != (count,):
-        raise ValueError(f"group must have the shape ({count},), not {named.shape}")
+        raise ValueError(
+            f"group must have the shape ({count},), not {named.shape}"
+        )
     return named
 
 
@@ -124,7 +152,9 @@ def _each_with_each(low: Array, high: Array, group: Integers) -> Integers:
 
 def _scenes(group: ArrayLike | None, count: int) -> tuple[Integers, Booleans]:
     """Number of each box's group, from 0, and whether that group has few boxes."""
-    _, scene, members = np.unique(_named(group, count), return_inverse=True, return_counts=True)
+    _, scene, members = np.unique(
+        _named(group, count), return_inverse=True, return_counts=True
+    )
     return scene, members[scene] <= FEW
 
 
@@ -139,10 +169,14 @@ def _size(width: Array) -> Array:
     ordinary = width[(width > 0) & (width < np.inf)]
     usual = np.median(ordinary) if ordinary.size else 1.0
     with np.errstate(divide="ignore"):
-        return np.asarray(np.maximum(np.round(np.log2(width) - np.log2(usual)), SMALLEST))
+        return np.asarray(
+            np.maximum(np.round(np.log2(width) - np.log2(usual)), SMALLEST)
+        )
 
 
-def _columns(corner: Array, scene: Integers, widest: float) -> tuple[Integers, Integers]:
+def _columns(
+    corner: Array, scene: Integers, widest: float
+) -> tuple[Integers, Integers]:
     """Sort boxes into columns; those of different groups are never next to each other.
 
     Rounding errors are smaller than the spare part of a column, so they do not separate
@@ -157,7 +191,9 @@ def _columns(corner: Array, scene: Integers, widest: float) -> tuple[Integers, I
     cell = np.zeros(corner.shape, dtype=np.int64)
     if widest < np.inf:
         with np.errstate(over="ignore"):
-            steps = (corner - np.median(corner, axis=0)) / ((1 + SPARE) * (widest or 1.0))
+            steps = (corner - np.median(corner, axis=0)) / (
+                (1 + SPARE) * (widest or 1.0)
+            )
         cell = np.floor(np.clip(steps, -FARTHEST, FARTHEST)).astype(np.int64)
     number = (scene * ACROSS + cell[:, 0]) * ACROSS + cell[:, 1]
     occupied, column = np.unique(number, return_inverse=True)
@@ -167,7 +203,13 @@ def _columns(corner: Array, scene: Integers, widest: float) -> tuple[Integers, I
     return column, around[np.any(around < len(occupied), axis=1)]
 
 
-def _beginning_within(one: Integers, around: Integers, other: Integers, column: Integers, end: Integers) -> Integers:
+def _beginning_within(
+    one: Integers,
+    around: Integers,
+    other: Integers,
+    column: Integers,
+    end: Integers,
+) -> Integers:
     """Pairs (2, p) of one box and another that begins between its bottom and its top.
 
     around: (k, ones), the columns into which each one looks. column: that of each
@@ -180,7 +222,9 @@ def _beginning_within(one: Integers, around: Integers, other: Integers, column: 
     stop = np.searchsorted(queue, around * count + end[one]).ravel()
     length = stop - start
     looking = np.repeat(np.tile(one, len(around)), length)
-    place = np.arange(len(looking)) + np.repeat(start - (np.cumsum(length) - length), length)
+    place = np.arange(len(looking)) + np.repeat(
+        start - (np.cumsum(length) - length), length
+    )
     return np.stack([looking, other[place]])
 
 

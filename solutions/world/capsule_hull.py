@@ -8,14 +8,14 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans
 from solutions.world.clipping import ON_SIDE, behind_sides, clip
-from solutions.world.edge_contacts import PARALLEL
+from solutions.world.edge_contacts import EDGES_PARALLEL
 from solutions.world.hull_pairs import BIAS
 from solutions.world.hulls import Hull, hull_of
 from solutions.world.segments import ends_of, nearest_on_segments
 from solutions.world.shapes import Found, Placed
 from solutions.world.vectors import cross
 
-COINCIDENT = 1e-9
+ON_SURFACE = 1e-9
 """Share of a hull's size up to which a core is on its surface.
 
 The way from the hull to the core then gives no direction.
@@ -59,16 +59,28 @@ def capsule_hull(a: Placed, b: Placed, margin: float) -> Found:
     heights = ends @ hull.normal.mT - hull.offset[:, None]
     lowest = np.min(heights, axis=1)
     pair = np.flatnonzero(np.max(lowest, axis=1) - radius <= margin)
-    hull, ends, radius, lowest = hull.rows(pair), ends[pair], radius[pair], lowest[pair]
+    hull, ends, radius, lowest = (
+        hull.rows(pair),
+        ends[pair],
+        radius[pair],
+        lowest[pair],
+    )
     face, over = np.argmax(lowest, axis=1), np.max(lowest, axis=1)
     way = ends[:, 1] - ends[:, 0]
     row = np.arange(len(pair))
-    out, corners = hull.normal[row, face], hull.vertices[row[:, None], hull.faces[face]]
-    by_face = Nearest(over, out, ends[row, np.argmin(heights[pair, :, face], axis=1)])
+    out, corners = (
+        hull.normal[row, face],
+        hull.vertices[row[:, None], hull.faces[face]],
+    )
+    by_face = Nearest(
+        over, out, ends[row, np.argmin(heights[pair, :, face], axis=1)]
+    )
     by_edge = _way_out(hull, ends, way)
     nearest = _where(by_edge.distance > over, by_edge, by_face)
-    outside = nearest.distance > COINCIDENT * hull.size
-    nearest = _where(outside, _nearest_outside(hull, ends, way, heights[pair]), nearest)
+    outside = nearest.distance > ON_SURFACE * hull.size
+    nearest = _where(
+        outside, _nearest_outside(hull, ends, way, heights[pair]), nearest
+    )
 
     length, on = np.sqrt(np.vecdot(way, way)), ON_SIDE * hull.size
     bias = BIAS * np.minimum(hull.size, length + 2 * radius)
@@ -77,7 +89,11 @@ def capsule_hull(a: Placed, b: Placed, margin: float) -> Found:
     shares = np.stack([part.entry, part.leaving], axis=1)
     on_face = ends[:, :1] + shares[..., None] * way[:, None]
     above = np.vecdot(on_face - corners[:, :1], out[:, None])
-    flat = part.inside & (over >= nearest.distance - bias) & (np.min(above, axis=1) <= nearest.distance + bias)
+    flat = (
+        part.inside
+        & (over >= nearest.distance - bias)
+        & (np.min(above, axis=1) <= nearest.distance + bias)
+    )
     two = flat & ((part.leaving - part.entry) * length > 4 * on)
 
     places = np.concatenate([on_face, nearest.core[:, None]], axis=1)
@@ -85,12 +101,18 @@ def capsule_hull(a: Placed, b: Placed, margin: float) -> Found:
     distance = np.concatenate([above, nearest.distance[:, None]], axis=1)
     distance[~np.stack([flat, two, ~flat], axis=1)] = np.inf
     row, feature = np.nonzero(distance - radius[:, None] <= margin)
-    normal, distance, radius = normal[row, feature], distance[row, feature], radius[row]
+    normal, distance, radius = (
+        normal[row, feature],
+        distance[row, feature],
+        radius[row],
+    )
     point = places[row, feature] - normal * ((distance + radius) / 2)[:, None]
     return Found(pair[row], point, normal, distance - radius, feature)
 
 
-def _nearest_outside(hull: Hull, ends: Array, way: Array, heights: Array) -> Nearest:
+def _nearest_outside(
+    hull: Hull, ends: Array, way: Array, heights: Array
+) -> Nearest:
     """The nearest place of cores that do not go into the hull.
 
     It is the end of a core over a face, or any place of the core that is nearest to an
@@ -101,7 +123,9 @@ def _nearest_outside(hull: Hull, ends: Array, way: Array, heights: Array) -> Nea
     over = np.all(behind >= 0, axis=3).mT & (heights > 0)
     low, high = np.moveaxis(np.where(over, heights, np.inf), 1, 0)
     first, second = (hull.vertices[:, end] for end in hull.edges.ends.T)
-    share, along = nearest_on_segments(ends[:, :1], way[:, None], first, second - first)
+    share, along = nearest_on_segments(
+        ends[:, :1], way[:, None], first, second - first
+    )
     place = ends[:, :1] + share[..., None] * way[:, None]
     away = place - first - along[..., None] * (second - first)
     to_edge = np.sqrt(np.vecdot(away, away))
@@ -111,7 +135,10 @@ def _nearest_outside(hull: Hull, ends: Array, way: Array, heights: Array) -> Nea
     on_face, distance = best < 2 * faces, distances[row, best]
     end, face = np.divmod(np.where(on_face, best, 0), faces)
     edge = np.where(on_face, 0, best - 2 * faces)
-    direction = away[row, edge] / np.where(on_face | (distance == 0), 1.0, distance)[:, None]
+    direction = (
+        away[row, edge]
+        / np.where(on_face | (distance == 0), 1.0, distance)[:, None]
+    )
     return _where(
         on_face,
         Nearest(distance, hull.normal[row, face], ends[row, end]),
@@ -130,15 +157,23 @@ def _way_out(hull: Hull, ends: Array, way: Array) -> Nearest:
     left, right = (along[:, 0, side] for side in hull.edges.beside.T)
     # Of the planes that touch the hull along an edge, one is parallel to the core if
     # the core rises from one of the two faces and sinks into the other.
-    normal = np.where(left > 0, -1.0, 1.0)[..., None] * cross(np.broadcast_to(way[:, None], edges.shape), edges)
+    normal = np.where(left > 0, -1.0, 1.0)[..., None] * cross(
+        np.broadcast_to(way[:, None], edges.shape), edges
+    )
     length = np.sqrt(np.vecdot(normal, normal))
     sizes = np.sqrt(np.vecdot(way, way)[:, None] * np.vecdot(edges, edges))
-    real = (left * right < 0) & (length > PARALLEL * sizes)
+    real = (left * right < 0) & (length > EDGES_PARALLEL * sizes)
     normal /= np.where(real, length, 1.0)[..., None]
     distance = np.where(real, np.vecdot(normal, ends[:, :1] - starts), -np.inf)
     best, row = np.argmax(distance, axis=1), np.arange(len(ends))
-    share, _ = nearest_on_segments(ends[:, 0], way, starts[row, best], edges[row, best])
-    return Nearest(distance[row, best], normal[row, best], ends[:, 0] + share[:, None] * way)
+    share, _ = nearest_on_segments(
+        ends[:, 0], way, starts[row, best], edges[row, best]
+    )
+    return Nearest(
+        distance[row, best],
+        normal[row, best],
+        ends[:, 0] + share[:, None] * way,
+    )
 
 
 def _where(chosen: Booleans, yes: Nearest, no: Nearest) -> Nearest:

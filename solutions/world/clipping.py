@@ -10,10 +10,10 @@ from solutions.arrays import Array, Booleans, Integers
 from solutions.world.vectors import cross
 
 ON_SIDE = 1e-6
-"""Share of the size of a hull up to which a point counts as on a side of a face.
+"""Share of a hull's size up to which a point is on a side of a face.
 
-Boxes of the same size, one exactly on the other, touch at the four corners of their
-faces. Rounding must neither lose one of these nor cut it off twice.
+Boxes of the same size, one exactly on the other, touch at the four corners of
+their faces. Rounding must neither lose one of these nor cut it off twice.
 """
 
 
@@ -29,17 +29,23 @@ def behind_sides(points: Array, corners: Array, normal: Array) -> Array:
     Returns
     -------
     (..., p, s), m
-        Positive inside. It is 0 for a side without length, or one that is seen from its
-        end.
+        Positive inside. It is 0 for a side without length, or one that is seen
+        from its end.
 
     Notes
     -----
     The cross product of the normal and a side points into the face.
     """
-    inward = cross(normal[..., None, :], np.roll(corners, -1, axis=-2) - corners)
+    inward = cross(
+        normal[..., None, :], np.roll(corners, -1, axis=-2) - corners
+    )
     length = np.sqrt(np.vecdot(inward, inward))[..., None]
-    inward = np.divide(inward, length, out=np.zeros_like(inward), where=length > 0)
-    return np.asarray(points @ inward.mT - np.vecdot(inward, corners)[..., None, :])
+    inward = np.divide(
+        inward, length, out=np.zeros_like(inward), where=length > 0
+    )
+    return np.asarray(
+        points @ inward.mT - np.vecdot(inward, corners)[..., None, :]
+    )
 
 
 class Part(NamedTuple):
@@ -48,7 +54,8 @@ class Part(NamedTuple):
     Attributes
     ----------
     inside : (...), whether there is such a part
-    entry, leaving : (...), shares of the segment at which it begins and ends, 0 to 1
+    entry, leaving : (...), shares of the segment at which it begins and ends,
+    0 to 1
     cut_in, cut_out : (...), whether a side cuts the segment there
     entry_side, leaving_side : (...), which side does so
     """
@@ -63,11 +70,12 @@ class Part(NamedTuple):
 
 
 def clip(start: Array, end: Array, on: Array) -> Part:
-    """The part of a segment that is behind all sides, by the method of Cyrus and Beck.
+    """The part of a segment behind all sides, by the method of Cyrus and Beck.
 
     Parameters
     ----------
-    start, end : (..., s), how far the ends of the segment are behind each side, m
+    start, end : (..., s), how far the ends of the segment are behind each
+    side, m
     on : (...), how far in front of a side an end still counts as on it, m
 
     Returns
@@ -77,11 +85,12 @@ def clip(start: Array, end: Array, on: Array) -> Part:
 
     Notes
     -----
-    Along the segment, the distance behind a side changes evenly from `start` to `end`.
-    It is 0 at the share start/(start − end). If the start is in front of the side, the
-    part inside begins there; if the end is, the part inside ends there. Of all sides,
-    the last beginning and the first end count. Which these are, and whether any part is
-    left between them, is decided with all sides moved outwards by `on`.
+    Along the segment, the distance behind a side changes evenly from `start`
+    to `end`. It is 0 at the share start/(start − end). If the start is in
+    front of the side, the part inside begins there; if the end is, the part
+    inside ends there. Of all sides, the last beginning and the first end
+    count. Which these are, and whether any part is left between them, is
+    decided with all sides moved outwards by `on`.
     """
     near = on[..., None]
     before, after = start < -near, end < -near
@@ -89,14 +98,21 @@ def clip(start: Array, end: Array, on: Array) -> Part:
     moved, true = (start + near) / change, np.clip(start / change, 0.0, 1.0)
     entries = np.where(before, np.where(after, np.inf, moved), 0.0)
     leavings = np.where(after & ~before, moved, 1.0)
-    entry_side, leaving_side = np.argmax(entries, axis=-1), np.argmin(leavings, axis=-1)
+    entry_side, leaving_side = (
+        np.argmax(entries, axis=-1),
+        np.argmin(leavings, axis=-1),
+    )
     entry, leaving = _at(entries, entry_side), _at(leavings, leaving_side)
     cut_in, cut_out, inside = entry > 0, leaving < 1, entry <= leaving
     entry = np.where(cut_in, np.minimum(_at(true, entry_side), leaving), 0.0)
     leaving = np.where(cut_out, _at(true, leaving_side), 1.0)
-    return Part(inside, entry, leaving, cut_in, cut_out, entry_side, leaving_side)
+    return Part(
+        inside, entry, leaving, cut_in, cut_out, entry_side, leaving_side
+    )
 
 
 def _at(values: Array, side: Integers) -> Array:
     """The value of one side of each segment."""
-    return np.asarray(np.take_along_axis(values, side[..., None], axis=-1)[..., 0])
+    return np.asarray(
+        np.take_along_axis(values, side[..., None], axis=-1)[..., 0]
+    )

@@ -8,13 +8,11 @@ import numpy as np
 
 from solutions.arrays import Array, Integers
 from solutions.world.bodies import Bodies, State
-from solutions.world.broad_phase import candidate_pairs
+from solutions.world.broad_phase import pairs_in_grid
+from solutions.world.hull_pairs import FEATURES
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import bounding_boxes, place_pieces, placed
 from solutions.world.shapes import Found
-
-FEATURES = 1 << 16
-"""Numbers of features of one pair of pieces."""
 
 
 class Contacts(NamedTuple):
@@ -39,10 +37,19 @@ class Contacts(NamedTuple):
     def in_order(self, order: Integers) -> Contacts:
         """Some of the contacts, or all of them in another order."""
         a, b = self.body_a[order], self.body_b[order]
-        return Contacts(a, b, self.point[order], self.normal[order], self.separation[order], self.key[order])
+        return Contacts(
+            a,
+            b,
+            self.point[order],
+            self.normal[order],
+            self.separation[order],
+            self.key[order],
+        )
 
 
-def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Contacts:
+def find_contacts(
+    bodies: Bodies, state: State, margin: float = 0.0
+) -> Contacts:
     """The contacts of a world at an instant: broad phase, then narrow phase.
 
     Parameters
@@ -57,21 +64,25 @@ def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Conta
 
     Notes
     -----
-    The broad phase finds the pieces whose boxes along the axes overlap. Pairs that
-    cannot collide are left out: pieces of one body, two immovable bodies, materials
-    that do not collide. The narrow phase has one function for each two kinds of
-    pieces. It takes all pairs of those kinds at once, because a function of a batch
-    costs little more than that of one pair.
+    The broad phase finds the pieces whose boxes along the axes overlap. Pairs
+    that cannot collide are left out: pieces of one body, two immovable bodies,
+    materials that do not collide. The narrow phase has one function for each
+    two kinds of pieces. It takes all pairs of those kinds at once, because a
+    function of a batch costs little more than that of one pair.
     """
     pieces = bodies.pieces
     places = place_pieces(pieces, state.position, state.orientation)
     lower, upper = bounding_boxes(pieces, *places)
-    pairs = candidate_pairs(lower - margin / 2, upper + margin / 2, bodies.group[pieces.body])
+    pairs = pairs_in_grid(
+        lower - margin / 2, upper + margin / 2, bodies.group[pieces.body]
+    )
     first, second = _can_collide(bodies, pairs)
     found = []
     for kinds, chosen in _alike(pieces.kind, pieces.hull, first, second):
         a, b = first[chosen], second[chosen]
-        touching = PAIRS[kinds](placed(pieces, a, *places), placed(pieces, b, *places), margin)
+        touching = PAIRS[kinds](
+            placed(pieces, a, *places), placed(pieces, b, *places), margin
+        )
         found.append(touching._replace(pair=chosen[touching.pair]))
     return _contacts(bodies, first, second, found)
 
@@ -81,27 +92,53 @@ def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
     first, second = pairs[:, 0], pairs[:, 1]
     a, b = bodies.pieces.body[first], bodies.pieces.body[second]
     movable = bodies.inverse_mass[a] + bodies.inverse_mass[b] > 0
-    kept = (a != b) & movable & bodies.surfaces.collide[bodies.material[a], bodies.material[b]]
+    kept = (
+        (a != b)
+        & movable
+        & bodies.surfaces.collide[bodies.material[a], bodies.material[b]]
+    )
     first, second = first[kept], second[kept]
     turn = bodies.pieces.kind[first] > bodies.pieces.kind[second]
     return np.where(turn, second, first), np.where(turn, first, second)
 
 
-def _alike(kind: Integers, hull: Integers, first: Integers, second: Integers) -> list[tuple[tuple[int, int], Integers]]:
+def _alike(
+    kind: Integers, hull: Integers, first: Integers, second: Integers
+) -> list[tuple[tuple[int, int], Integers]]:
     """Kinds of A and B, with the numbers of all pairs of these kinds and hulls."""
     most = int(np.max(hull, initial=0)) + 2
-    signs = ((kind[first] * most + hull[first] + 1) * 8 + kind[second]) * most + hull[second] + 1
+    signs = (
+        ((kind[first] * most + hull[first] + 1) * 8 + kind[second]) * most
+        + hull[second]
+        + 1
+    )
     groups = [np.flatnonzero(signs == sign) for sign in np.unique(signs)]
-    return [((int(kind[first[each[0]]]), int(kind[second[each[0]]])), each) for each in groups]
+    return [
+        ((int(kind[first[each[0]]]), int(kind[second[each[0]]])), each)
+        for each in groups
+    ]
 
 
-def _contacts(bodies: Bodies, first: Integers, second: Integers, found: list[Found]) -> Contacts:
+def _contacts(
+    bodies: Bodies, first: Integers, second: Integers, found: list[Found]
+) -> Contacts:
     """All that was found, pair by pair in the order of the broad phase."""
     if not found:
         none = np.zeros(0, dtype=np.int64)
-        return Contacts(none, none, np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), none)
-    pair, point, normal, separation, feature = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        return Contacts(
+            none, none, np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), none
+        )
+    pair, point, normal, separation, feature = (
+        np.concatenate(parts) for parts in zip(*found, strict=True)
+    )
     a, b = first[pair], second[pair]
     key = (a * len(bodies.pieces.body) + b) * FEATURES + feature
-    contacts = Contacts(bodies.pieces.body[a], bodies.pieces.body[b], point, normal, separation, key)
+    contacts = Contacts(
+        bodies.pieces.body[a],
+        bodies.pieces.body[b],
+        point,
+        normal,
+        separation,
+        key,
+    )
     return contacts.in_order(np.argsort(pair, kind="stable"))

@@ -8,9 +8,9 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.pieces import bounding_boxes, place_pieces
-from solutions.world.rotation import rotate_by_momentum
+from solutions.world.rotation import turn_freely
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, in_groups, solve_sequentially
@@ -19,7 +19,7 @@ TOUCH = 1e-10
 """A gap up to which two surfaces touch, m; far above rounding."""
 TURN = 0.25
 """The largest angle of one flight, rad; a longer turn could hide a contact."""
-HALVINGS = 40
+FLIGHT_HALVINGS = 40
 """How often a flight that ends in an overlap is halved; 10 ms become 10 fs."""
 
 
@@ -38,14 +38,25 @@ class Flight(NamedTuple):
     angular_acceleration: Array
 
 
-def reach(bodies: Bodies, state: State, acceleration: Array, left: Array) -> float:
+def reach(
+    bodies: Bodies, state: State, acceleration: Array, left: Array
+) -> float:
     """A gap that no two surfaces close in the time that is left, m."""
     pieces = bodies.pieces
-    lower, upper = bounding_boxes(pieces, *place_pieces(pieces, state.position, state.orientation))
+    lower, upper = bounding_boxes(
+        pieces, *place_pieces(pieces, state.position, state.orientation)
+    )
     centre = state.position[pieces.body]
-    size = np.linalg.norm(np.maximum(np.abs(lower - centre), np.abs(upper - centre)), axis=-1)
-    angle = np.minimum(np.linalg.norm(state.angular_velocity, axis=-1) * left, TURN)
-    path = np.linalg.norm(state.velocity, axis=-1) * left + np.linalg.norm(acceleration, axis=-1) * left**2 / 2
+    size = np.linalg.norm(
+        np.maximum(np.abs(lower - centre), np.abs(upper - centre)), axis=-1
+    )
+    angle = np.minimum(
+        np.linalg.norm(state.angular_velocity, axis=-1) * left, TURN
+    )
+    path = (
+        np.linalg.norm(state.velocity, axis=-1) * left
+        + np.linalg.norm(acceleration, axis=-1) * left**2 / 2
+    )
     arc = angle[pieces.body] * np.where(np.isfinite(size), size, 0.0)
     return float(2 * np.max(path[pieces.body] + arc, initial=0.0)) + TOUCH
 
@@ -62,20 +73,41 @@ def held(
     rules: Rules,
 ) -> Flight:
     """How the bodies move if these contacts close no more than their gaps."""
-    order, groups = in_groups(rows.body_a[kept], rows.body_b[kept], bodies.inverse_mass > 0)
+    order, groups = in_groups(
+        rows.body_a[kept], rows.body_b[kept], bodies.inverse_mass > 0
+    )
     kept = kept[order]
     some = Rows._make(each[kept] for each in rows)
-    of_a, of_b, none = bodies.material[some.body_a], bodies.material[some.body_b], np.zeros(len(kept))
-    static, kinetic = bodies.surfaces.static_friction[of_a, of_b], bodies.surfaces.kinetic_friction[of_a, of_b]
+    of_a, of_b, none = (
+        bodies.material[some.body_a],
+        bodies.material[some.body_b],
+        np.zeros(len(kept)),
+    )
+    static, kinetic = (
+        bodies.surfaces.static_friction[of_a, of_b],
+        bodies.surfaces.kinetic_friction[of_a, of_b],
+    )
     seconds = np.where(left > 0, left, 1.0)[:, None]
     closing = np.maximum(near.separation[kept], 0.0) / seconds[some.body_a, 0]
     wanted = Wanted(-closing, none, static, kinetic, none > 0)
 
     def stopped(velocity: Array, spin: Array) -> tuple[Array, Array]:
-        return solve_sequentially(some, groups, velocity, spin, wanted, 0.0, rules.sweeps, rules.tolerance)[:2]
+        return solve_sequentially(
+            some,
+            groups,
+            velocity,
+            spin,
+            wanted,
+            0.0,
+            rules.sweeps,
+            rules.tolerance,
+        )[:2]
 
     velocity, spin = stopped(state.velocity, state.angular_velocity)
-    fast, turning = velocity + seconds * acceleration, spin + seconds * angular_acceleration
+    fast, turning = (
+        velocity + seconds * acceleration,
+        spin + seconds * angular_acceleration,
+    )
     fast_held, turning_held = stopped(fast, turning)
     # The difference is exactly 0 for a body that nothing touches.
     return Flight(
@@ -86,22 +118,38 @@ def held(
     )
 
 
-def until_next(near: Contacts, rows: Rows, watched: Integers, flight: Flight, clock: Integers, time: Array) -> Array:
+def until_next(
+    near: Contacts,
+    rows: Rows,
+    watched: Integers,
+    flight: Flight,
+    clock: Integers,
+    time: Array,
+) -> Array:
     """How long each group flies: until a gap closes or a body has turned far, s."""
     a, b = near.body_a[watched], near.body_b[watched]
     gap = np.maximum(near.separation[watched], 0.0)
     apart = speeds(rows, flight.velocity, flight.angular_velocity)[watched, 0]
-    bend = np.vecdot(near.normal[watched], flight.acceleration[a] - flight.acceleration[b])
+    bend = np.vecdot(
+        near.normal[watched], flight.acceleration[a] - flight.acceleration[b]
+    )
     inside = apart**2 - 2 * bend * gap
     root = np.sqrt(np.maximum(inside, 0.0))
     # Of the two forms of the root, the one in which nothing cancels.
-    over, under = np.where(apart > 0, apart + root, 2 * gap), np.where(apart > 0, -bend, root - apart)
+    over, under = (
+        np.where(apart > 0, apart + root, 2 * gap),
+        np.where(apart > 0, -bend, root - apart),
+    )
     closes = (inside >= 0) & (under > 0)
     until = np.where(closes, over / np.where(closes, under, 1.0), np.inf)
     spin = np.linalg.norm(flight.angular_velocity, axis=-1)
     first = time.copy()
     np.minimum.at(first, clock[a], until)
-    np.minimum.at(first, clock, np.where(spin > 0, TURN / np.where(spin > 0, spin, 1.0), np.inf))
+    np.minimum.at(
+        first,
+        clock,
+        np.where(spin > 0, TURN / np.where(spin > 0, spin, 1.0), np.inf),
+    )
     return first
 
 
@@ -116,15 +164,23 @@ def backed_up(
 ) -> Array:
     """The same times; for a flight that ends in an overlap, when that begins, s."""
     order = np.argsort(near.key)
-    allowed = (np.where(resting, -np.inf, np.minimum(near.separation, 0.0)) - TOUCH)[order]
+    allowed = (
+        np.where(resting, -np.inf, np.minimum(near.separation, 0.0)) - TOUCH
+    )[order]
 
     def overlaps(time: Array) -> Booleans:
-        there = collect_contacts(bodies, flown(bodies, state, flight, time[clock]))
+        there = find_contacts(
+            bodies, flown(bodies, state, flight, time[clock])
+        )
         found = np.zeros(len(time), dtype=bool)
         limit = np.full(len(there.key), -TOUCH)
         if len(order):
-            place = np.minimum(np.searchsorted(near.key[order], there.key), len(order) - 1)
-            limit = np.where(near.key[order][place] == there.key, allowed[place], limit)
+            place = np.minimum(
+                np.searchsorted(near.key[order], there.key), len(order) - 1
+            )
+            limit = np.where(
+                near.key[order][place] == there.key, allowed[place], limit
+            )
         found[clock[there.body_a[there.separation < limit]]] = True
         return found
 
@@ -132,10 +188,13 @@ def backed_up(
     if not np.any(late):
         return time
     before, after = np.zeros_like(time), time
-    for _ in range(HALVINGS):
+    for _ in range(FLIGHT_HALVINGS):
         middle = np.where(late, (before + after) / 2, time)
         deep = overlaps(middle)
-        before, after = np.where(deep, before, middle), np.where(deep, middle, after)
+        before, after = (
+            np.where(deep, before, middle),
+            np.where(deep, middle, after),
+        )
     return np.where(late, after, time)
 
 
@@ -143,8 +202,12 @@ def flown(bodies: Bodies, state: State, flight: Flight, time: Array) -> State:
     """The world after a flight; the time (n,) of each body, s."""
     seconds = time[:, None]
     half = seconds / 2 * flight.angular_acceleration
-    orientation, spin = rotate_by_momentum(state.orientation, flight.angular_velocity + half, bodies.moments, time)
+    orientation, spin = turn_freely(
+        state.orientation, flight.angular_velocity + half, bodies.moments, time
+    )
     spin = np.where(seconds > 0, spin + half, flight.angular_velocity)
     middle = flight.velocity + seconds / 2 * flight.acceleration
     velocity = flight.velocity + seconds * flight.acceleration
-    return State(state.position + seconds * middle, orientation, velocity, spin)
+    return State(
+        state.position + seconds * middle, orientation, velocity, spin
+    )

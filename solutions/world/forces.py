@@ -13,7 +13,13 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import positive
-from solutions.forces import buoyancy, spring_damper_force, stokes_drag, uniform_gravity, wind_force
+from solutions.forces import (
+    buoyancy,
+    spring_damper_force,
+    stokes_drag,
+    uniform_gravity,
+    wind_force,
+)
 from solutions.meshes import SpringMesh, mesh_forces
 from solutions.world.attachments import (
     AnyState,
@@ -25,7 +31,9 @@ from solutions.world.attachments import (
 )
 
 
-def gravity_forces(state: AnyState, mass: ArrayLike, gravity: ArrayLike) -> ForceAndTorque:
+def gravity_forces(
+    state: AnyState, mass: ArrayLike, gravity: ArrayLike
+) -> ForceAndTorque:
     """Weight of each body (slide 25).
 
     Parameters
@@ -46,10 +54,17 @@ def gravity_forces(state: AnyState, mass: ArrayLike, gravity: ArrayLike) -> Forc
         If a mass is not positive, or a shape does not fit.
     """
     mass = positive("mass", mass)
-    return _at_centres(state, uniform_gravity(np.where(np.isfinite(mass), mass, 0.0), gravity))
+    return _at_centres(
+        state, uniform_gravity(np.where(np.isfinite(mass), mass, 0.0), gravity)
+    )
 
 
-def drag_forces(state: AnyState, fluid_velocity: ArrayLike, viscosity: ArrayLike, radius: ArrayLike) -> ForceAndTorque:
+def drag_forces(
+    state: AnyState,
+    fluid_velocity: ArrayLike,
+    viscosity: ArrayLike,
+    radius: ArrayLike,
+) -> ForceAndTorque:
     """Drag of a thick fluid on each ball (slide 26).
 
     Parameters
@@ -69,10 +84,17 @@ def drag_forces(state: AnyState, fluid_velocity: ArrayLike, viscosity: ArrayLike
     ValueError
         As `stokes_drag`.
     """
-    return _at_centres(state, stokes_drag(state[2], fluid_velocity, viscosity, radius))
+    return _at_centres(
+        state, stokes_drag(state[2], fluid_velocity, viscosity, radius)
+    )
 
 
-def buoyancy_forces(state: AnyState, volume: ArrayLike, fluid_density: ArrayLike, gravity: ArrayLike) -> ForceAndTorque:
+def buoyancy_forces(
+    state: AnyState,
+    volume: ArrayLike,
+    fluid_density: ArrayLike,
+    gravity: ArrayLike,
+) -> ForceAndTorque:
     """Lift of each body by the fluid that it displaces (slide 26).
 
     Parameters
@@ -97,7 +119,11 @@ def buoyancy_forces(state: AnyState, volume: ArrayLike, fluid_density: ArrayLike
 
 
 def wind_forces(
-    state: AnyState, wind: ArrayLike, area: ArrayLike, drag_coefficient: ArrayLike, density: ArrayLike
+    state: AnyState,
+    wind: ArrayLike,
+    area: ArrayLike,
+    drag_coefficient: ArrayLike,
+    density: ArrayLike,
 ) -> ForceAndTorque:
     """Force of the wind on each body (slide 30).
 
@@ -120,10 +146,14 @@ def wind_forces(
     ValueError
         As `wind_force`.
     """
-    return _at_centres(state, wind_force(state[2], wind, area, drag_coefficient, density))
+    return _at_centres(
+        state, wind_force(state[2], wind, area, drag_coefficient, density)
+    )
 
 
-def mesh_body_forces(state: AnyState, mesh: SpringMesh, body: ArrayLike) -> ForceAndTorque:
+def mesh_body_forces(
+    state: AnyState, mesh: SpringMesh, body: ArrayLike
+) -> ForceAndTorque:
     """Forces of a spring mesh whose nodes are bodies (slide 28).
 
     Parameters
@@ -149,7 +179,9 @@ def mesh_body_forces(state: AnyState, mesh: SpringMesh, body: ArrayLike) -> Forc
     if len(np.unique(body)) < body.size:
         raise ValueError(f"body must not name a body twice: {body.tolist()}")
     force = np.zeros_like(position)
-    force[..., body, :] = mesh_forces(mesh, position[..., body, :], velocity[..., body, :])
+    force[..., body, :] = mesh_forces(
+        mesh, position[..., body, :], velocity[..., body, :]
+    )
     return force, np.zeros_like(position)
 
 
@@ -199,7 +231,15 @@ def spring_forces(
     """
     place_a, velocity_a = point_motion(state, body_a, point_a)
     place_b, velocity_b = point_motion(state, body_b, point_b)
-    on_a = spring_damper_force(place_a, place_b, velocity_a, velocity_b, stiffness, rest_length, damping)
+    on_a = spring_damper_force(
+        place_a,
+        place_b,
+        velocity_a,
+        velocity_b,
+        stiffness,
+        rest_length,
+        damping,
+    )
     pulled_a = forces_at_points(state, body_a, place_a, on_a)
     pulled_b = forces_at_points(state, body_b, place_b, -on_a)
     return pulled_a[0] + pulled_b[0], pulled_a[1] + pulled_b[1]

@@ -1,9 +1,9 @@
 """Where boxes and polyhedra touch half-spaces and each other.
 
-Two convex hulls are apart if and only if a plane that is parallel to a face of one of
-them, or to an edge of each, has them on different sides. The largest separation along
-the normals of all these planes is that of the contact. In overlap it belongs to the
-shortest way out.
+Two convex hulls are apart if and only if a plane that is parallel to a face of
+one of them, or to an edge of each, has them on different sides. The largest
+separation along the normals of all these planes is that of the contact. In
+overlap it belongs to the shortest way out.
 """
 
 from __future__ import annotations
@@ -18,55 +18,72 @@ from solutions.world.round_pairs import above_half_space
 from solutions.world.shapes import Found, Placed
 
 BIAS = 1e-3
-"""Share of the smaller hull's size by which an edge must be better than a face.
+"""Share of the smaller size by which an edge must be better than a face.
 
-Where a box rests on a face, rounding and the little overlap that holds it up must not
-decide from step to step whether it rests on a face or on an edge, and on which face.
-For the same reason a face of A must be better than one of B by this much.
+Where a box rests on a face, rounding and the little overlap that holds it up
+must not decide from step to step whether it rests on a face or on an edge, and
+on which face. For the same reason a face of A must be better than one of B by
+this much.
 """
 SAME_NORMAL = np.cos(0.03)
-"""Cosine of the angle up to which a face is preferred to edges with nearly its normal.
+"""Cosine of the angle up to which a face is preferred to edges.
 
-Where a hardly tilted box hangs over another one, two edges cross. The faces have nearly
-the same normal there, and more places that hold the box up.
+Where a hardly tilted box hangs over another one, two edges cross. The faces
+have nearly the same normal there, and more places that hold the box up.
 """
 FEATURES = 1 << 16
 """Numbers that a feature may have."""
 
 
 def hull_half_space(a: Placed, b: Placed, margin: float) -> Found:
-    """Where boxes or polyhedra touch half-spaces: each vertex, with its number."""
+    """Where boxes or polyhedra touch half-spaces: each vertex has a number."""
     return above_half_space(a.vertices, np.zeros(len(a.vertices)), b, margin)
 
 
 def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     """Where boxes or polyhedra touch each other.
 
-    They touch with a face of each, at up to as many places as both faces have corners,
-    or with an edge of each at one place. `feature_steps` says how the features are
-    numbered. If two solids have more than 65536 of them, the numbers begin again at 0.
+    They touch with a face of each, at up to as many places as both faces have
+    corners, or with an edge of each at one place. `feature_steps` says how the
+    features are numbered. If two solids have more than 65536 of them, the
+    numbers begin again at 0.
 
     Notes
     -----
     Hulls that are apart, but by no more than the margin, may be nearest at two
-    vertices, or at a vertex and an edge. The way between these is along no normal of a
-    face or of two edges, so that such a place is left out. In overlap the shortest way
-    out is always along one of these normals.
+    vertices, or at a vertex and an edge. The way between these is along no
+    normal of a face or of two edges, so that such a place is left out. In
+    overlap the shortest way out is always along one of these normals.
     """
     one, other = hull_of(a), hull_of(b)
     over_a, face_a = _best_face(one.normal, one.offset, other.vertices)
     over_b, face_b = _best_face(other.normal, other.offset, one.vertices)
     pair = np.flatnonzero(np.maximum(over_a, over_b) <= margin)
     one, other = one.rows(pair), other.rows(pair)
-    over_a, over_b, face_a, face_b = over_a[pair], over_b[pair], face_a[pair], face_b[pair]
+    over_a, over_b, face_a, face_b = (
+        over_a[pair],
+        over_b[pair],
+        face_a[pair],
+        face_b[pair],
+    )
     bias = BIAS * np.minimum(one.size, other.size)
 
-    # One is the reference face. The other hull's face looks most nearly against it.
+    # One is the reference face. The other hull's face looks most nearly
+    # against it.
     on_b, row = over_b >= over_a - bias, np.arange(len(pair))
-    out = np.where(on_b[:, None], other.normal[row, face_b], one.normal[row, face_a])
-    face_a = np.where(on_b, np.argmin(np.matvec(one.normal, out), axis=1), face_a)
-    face_b = np.where(on_b, face_b, np.argmin(np.matvec(other.normal, out), axis=1))
-    places, edges = face_contacts(one, other, face_a, face_b, on_b), edge_contacts(one, other)
+    out = np.where(
+        on_b[:, None], other.normal[row, face_b], one.normal[row, face_a]
+    )
+    face_a = np.where(
+        on_b, np.argmin(np.matvec(one.normal, out), axis=1), face_a
+    )
+    face_b = np.where(
+        on_b, face_b, np.argmin(np.matvec(other.normal, out), axis=1)
+    )
+    places, edges = (
+        face_contacts(one, other, face_a, face_b, on_b),
+        edge_contacts(one, other),
+    )
 
     normal = np.where(on_b[:, None], out, -out)
     by_edges = edges.separation > np.maximum(over_a, over_b) + bias
@@ -74,21 +91,34 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     separation = np.concatenate(
         [
             np.where(by_edges[:, None], np.inf, places.separation),
-            np.where(by_edges & edges.touching, edges.separation, np.inf)[:, None],
+            np.where(by_edges & edges.touching, edges.separation, np.inf)[
+                :, None
+            ],
         ],
         axis=1,
     )
     point = np.concatenate([places.point, edges.point[:, None]], axis=1)
-    feature = np.concatenate([places.feature, edges.feature[:, None]], axis=1) % FEATURES
+    feature = (
+        np.concatenate([places.feature, edges.feature[:, None]], axis=1)
+        % FEATURES
+    )
     normal = np.where(by_edges[:, None], edges.normal, normal)
 
     row, slot = np.nonzero(separation <= margin)
     order = np.argsort(row * FEATURES + feature[row, slot], kind="stable")
     row, slot = row[order], slot[order]
-    return Found(pair[row], point[row, slot], normal[row], separation[row, slot], feature[row, slot])
+    return Found(
+        pair[row],
+        point[row, slot],
+        normal[row],
+        separation[row, slot],
+        feature[row, slot],
+    )
 
 
-def _best_face(normal: Array, offset: Array, vertices: Array) -> tuple[Array, Integers]:
-    """How far a face separates a hull from vertices at best, and which face does so."""
+def _best_face(
+    normal: Array, offset: Array, vertices: Array
+) -> tuple[Array, Integers]:
+    """How far a face separates a hull from vertices at best, and which one."""
     heights = np.min(normal @ vertices.mT - offset[..., None], axis=2)
     return np.max(heights, axis=1), np.argmax(heights, axis=1)

@@ -23,11 +23,13 @@ class Edges(NamedTuple):
     Attributes
     ----------
     ends : (e, 2), numbers of vertices, the smaller first
-    beside : (e, 2), numbers of the faces to the left and to the right of each edge
-        This is how they are seen from outside by someone who walks from the first end
-        to the second.
+    beside : (e, 2), numbers of the faces to the left and to the right of each
+    edge
+        This is how they are seen from outside by someone who walks from the
+        first end to the second.
     number : (f, s), which edge runs from each corner of a face to the next
-    real : (f, s), False where a face repeats its last corner, so that there is no edge
+    real : (f, s), False where a face repeats its last corner, so that there is
+    no edge
     """
 
     ends: Integers
@@ -70,15 +72,15 @@ def hull_of(piece: Placed) -> Hull:
     Raises
     ------
     ValueError
-        If the faces do not bound a solid: each edge must have two faces, which run
-        along it in opposite directions.
+        If the faces do not bound a solid: each edge must have two faces, which
+        run along it in opposite directions.
 
     Notes
     -----
-    The triangles from the first corner of a face to each of its sides have the normals
-    (p_k − p_0)×(p_k+1 − p_0). Their sum is twice the area of the face long, and it
-    points outwards. A corner that is repeated, or lies straight between its
-    neighbours, adds nothing.
+    The triangles from the first corner of a face to each of its sides have the
+    normals (p_k − p_0)×(p_k+1 − p_0). Their sum is twice the area of the face
+    long, and it points outwards. A corner that is repeated, or lies straight
+    between its neighbours, adds nothing.
     """
     vertices, faces = piece.vertices, piece.faces
     first = vertices[:, faces[:, 0]]
@@ -87,7 +89,14 @@ def hull_of(piece: Placed) -> Hull:
     normal /= np.sqrt(np.vecdot(normal, normal))[..., None]
     across = vertices - vertices[:, :1]
     size = np.sqrt(np.max(np.vecdot(across, across), axis=1))
-    return Hull(vertices, faces, normal, np.vecdot(normal, first), size, edges_of(faces))
+    return Hull(
+        vertices,
+        faces,
+        normal,
+        np.vecdot(normal, first),
+        size,
+        edges_of(faces),
+    )
 
 
 def checked_solid(vertices: Array, faces: Integers) -> tuple[Array, Integers]:
@@ -96,21 +105,43 @@ def checked_solid(vertices: Array, faces: Integers) -> tuple[Array, Integers]:
     Raises
     ------
     ValueError
-        If the faces do not bound a convex solid, counterclockwise from outside.
+        If the faces do not bound a convex solid, counterclockwise from
+        outside.
     """
     if vertices.ndim != 2 or faces.ndim != 2 or faces.dtype.kind not in "iu":
-        raise ValueError(f"faces must be lists of whole numbers, not {faces.dtype} of {faces.shape}")
+        raise ValueError(
+            f"faces must be lists of whole numbers, not {faces.dtype} of"
+            f" {faces.shape}"
+        )
     wrong = (faces < 0) | (faces >= len(vertices))
     if np.any(wrong):
-        raise ValueError(f"faces must name vertices 0 to {len(vertices) - 1}, not {faces[wrong][0]}")
+        raise ValueError(
+            f"faces must name vertices 0 to {len(vertices) - 1}, not"
+            f" {faces[wrong][0]}"
+        )
     faces = faces.astype(np.int64)
     with np.errstate(invalid="ignore"):
-        hull = hull_of(Placed(np.zeros((1, 3)), np.eye(3)[None], np.zeros((1, 3)), vertices[None], faces))
+        hull = hull_of(
+            Placed(
+                np.zeros((1, 3)),
+                np.eye(3)[None],
+                np.zeros((1, 3)),
+                vertices[None],
+                faces,
+            )
+        )
     heights = (vertices @ hull.normal[0].T - hull.offset[0]).T
-    convex = (np.max(heights, axis=1) <= EVEN * hull.size) & (np.min(heights, axis=1) < -FLAT * hull.size)
-    if not np.all(convex):  # also for a face without an area, whose heights are NaN
+    convex = (np.max(heights, axis=1) <= EVEN * hull.size) & (
+        np.min(heights, axis=1) < -FLAT * hull.size
+    )
+    if not np.all(
+        convex
+    ):  # also for a face without an area, whose heights are NaN
         face = faces[~convex][0].tolist()
-        raise ValueError(f"faces must bound a convex solid, counterclockwise from outside, not {face}")
+        raise ValueError(
+            "faces must bound a convex solid, counterclockwise from"
+            f" outside, not {face}"
+        )
     return vertices, faces
 
 
@@ -122,7 +153,7 @@ def edges_of(faces: Integers) -> Edges:
 
 @lru_cache(maxsize=256)
 def _edges(content: bytes, shape: tuple[int, int]) -> Edges:
-    """The same; kept, because a world asks for the same few solids in every step."""
+    """The same; kept, because a world asks for the same few in every step."""
     faces = np.frombuffer(content, dtype=np.int64).reshape(shape)
     following = np.roll(faces, -1, axis=1)
     real = faces != following
@@ -135,5 +166,10 @@ def _edges(content: bytes, shape: tuple[int, int]) -> Edges:
         face, corner = np.nonzero(along)
         beside[number[face, corner], side] = face
     if np.any(beside < 0) or np.count_nonzero(real) != 2 * len(codes):
-        raise ValueError("faces must bound a solid: each edge must have two faces, which run along it in opposite ways")
-    return Edges(np.column_stack(np.divmod(codes, count)), beside, number, real)
+        raise ValueError(
+            "faces must bound a solid: each edge must have two faces, which"
+            " run along it in opposite ways"
+        )
+    return Edges(
+        np.column_stack(np.divmod(codes, count)), beside, number, real
+    )

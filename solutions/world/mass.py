@@ -13,12 +13,17 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, positive
-from solutions.impulse import box_inertia, rotation_matrix, sphere_inertia, world_inertia
+from solutions.impulse import (
+    box_inertia,
+    rotation_matrix,
+    sphere_inertia,
+    world_inertia,
+)
 from solutions.world.rotation import orientation_of, quaternion_product
 from solutions.world.shapes import Shape
 from solutions.world.volumes import length, tetrahedra, volume
 
-ROUNDING = 1e-12
+ROUNDING_OF_MASS = 1e-12
 """Share of a body's size up to which a centre counts as its origin.
 
 The same share of the largest moment counts as no product of inertia.
@@ -68,12 +73,16 @@ def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
         return np.zeros(3), np.full(3, np.inf), np.array(UPRIGHT)
     centre, inertia = _centre_and_inertia(shape, mass)
     moments, orientation = _principal(inertia)
-    if np.linalg.norm(centre) <= ROUNDING * np.sqrt(moments.max() / mass):
+    if np.linalg.norm(centre) <= ROUNDING_OF_MASS * np.sqrt(
+        moments.max() / mass
+    ):
         centre = np.zeros(3)
     return centre, moments, orientation
 
 
-def in_principal_axes(shape: Shape, mass: float) -> tuple[Shape, Array, Array, Array]:
+def in_principal_axes(
+    shape: Shape, mass: float
+) -> tuple[Shape, Array, Array, Array]:
     """The same shape, about its centre of mass and along its principal axes.
 
     A body of this shape has a diagonal inertia, and its position is its centre of mass.
@@ -108,7 +117,10 @@ def _centre_and_inertia(shape: Shape, mass: float) -> tuple[Array, Array]:
     """Centre (3,) and inertia (3, 3) about it, along the shape's own axes."""
     kind, *rest = shape
     if not np.isfinite(volume(shape)):
-        raise ValueError(f"a half-space must have an infinite mass, and be no part of a compound, not {mass:g} kg")
+        raise ValueError(
+            "a half-space must have an infinite mass, and be no part of a"
+            f" compound, not {mass:g} kg"
+        )
     if kind == "polyhedron":
         return _polyhedron(mass, *rest)
     if kind == "compound":
@@ -159,15 +171,22 @@ def capsule_inertia(mass: float, radius: float, half_length: float) -> Array:
 
         I_x = I_y = m_c (r²/4 + h²/3) + m_s (2/5 r² + h² + 3/4 h r)
     """
-    r, h = float(positive("radius", radius)), length("half_length", half_length)
+    r, h = (
+        float(positive("radius", radius)),
+        length("half_length", half_length),
+    )
     in_ends = mass * volume(("sphere", r)) / volume(("capsule", r, h))
     in_cylinder = mass - in_ends
     about_z = in_cylinder * r**2 / 2 + in_ends * 2 / 5 * r**2
-    about_x = in_cylinder * (r**2 / 4 + h**2 / 3) + in_ends * (2 / 5 * r**2 + h**2 + 3 / 4 * h * r)
+    about_x = in_cylinder * (r**2 / 4 + h**2 / 3) + in_ends * (
+        2 / 5 * r**2 + h**2 + 3 / 4 * h * r
+    )
     return np.array([about_x, about_x, about_z])
 
 
-def _compound(mass: float, parts: Sequence[tuple[Shape, ArrayLike, ArrayLike]]) -> tuple[Array, Array]:
+def _compound(
+    mass: float, parts: Sequence[tuple[Shape, ArrayLike, ArrayLike]]
+) -> tuple[Array, Array]:
     """The parts' own inertias, and what their distances from the centre add.
 
     By the theorem of parallel axes, a part of mass m whose centre is at d from that of
@@ -180,15 +199,25 @@ def _compound(mass: float, parts: Sequence[tuple[Shape, ArrayLike, ArrayLike]]) 
     for i, (part, position, orientation) in enumerate(parts):
         if masses[i] > 0:
             own_centre, moments, axes = mass_properties(part, masses[i])
-            centres[i] = finite("position", position) + rotation_matrix(orientation) @ own_centre
-            inertias[i] = world_inertia(moments, quaternion_product(orientation, axes))
+            centres[i] = (
+                finite("position", position)
+                + rotation_matrix(orientation) @ own_centre
+            )
+            inertias[i] = world_inertia(
+                moments, quaternion_product(orientation, axes)
+            )
     centre = masses @ centres / mass
     d = centres - centre
-    shifts = np.vecdot(d, d)[:, None, None] * np.eye(3) - d[:, :, None] * d[:, None, :]
+    shifts = (
+        np.vecdot(d, d)[:, None, None] * np.eye(3)
+        - d[:, :, None] * d[:, None, :]
+    )
     return centre, np.sum(inertias + masses[:, None, None] * shifts, axis=0)
 
 
-def _polyhedron(mass: float, vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> tuple[Array, Array]:
+def _polyhedron(
+    mass: float, vertices: ArrayLike, faces: Sequence[Sequence[int]]
+) -> tuple[Array, Array]:
     """Sums over tetrahedra with their tips at the middle of the vertices.
 
     A tetrahedron with the tip at 0 and corners a, b, c has its centre of mass at
@@ -199,15 +228,23 @@ def _polyhedron(mass: float, vertices: ArrayLike, faces: Sequence[Sequence[int]]
     share = volumes / volumes.sum()
     s = corners.sum(axis=1)
     centre = share @ s / 4
-    products = np.einsum("tki,tkj->tij", corners, corners) + s[:, :, None] * s[:, None, :]
-    mean = np.einsum("t,tij->ij", share, products) / 20 - np.outer(centre, centre)
+    products = (
+        np.einsum("tki,tkj->tij", corners, corners)
+        + s[:, :, None] * s[:, None, :]
+    )
+    mean = np.einsum("t,tij->ij", share, products) / 20 - np.outer(
+        centre, centre
+    )
     return middle + centre, mass * (np.trace(mean) * np.eye(3) - mean)
 
 
 def _principal(inertia: Array) -> tuple[Array, Array]:
     """Moments (3,) and orientation (4,) of the principal axes of a matrix (3, 3)."""
     moments = np.diag(inertia)
-    if np.max(np.abs(inertia - np.diag(moments))) <= ROUNDING * moments.max():
+    if (
+        np.max(np.abs(inertia - np.diag(moments)))
+        <= ROUNDING_OF_MASS * moments.max()
+    ):
         return moments, np.array(UPRIGHT)
     moments, axes = np.linalg.eigh(inertia)
     axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])  # right-handed
@@ -219,9 +256,17 @@ def _seen_from(shape: Shape, centre: Array, orientation: Array) -> Shape:
     kind, *rest = shape
     to_old = rotation_matrix(orientation)
     if kind == "polyhedron":
-        return kind, (np.asarray(rest[0], dtype=float) - centre) @ to_old, rest[1]
+        return (
+            kind,
+            (np.asarray(rest[0], dtype=float) - centre) @ to_old,
+            rest[1],
+        )
     back = orientation * OPPOSITE
     return kind, tuple(
-        (part, (np.asarray(position, dtype=float) - centre) @ to_old, quaternion_product(back, turn))
+        (
+            part,
+            (np.asarray(position, dtype=float) - centre) @ to_old,
+            quaternion_product(back, turn),
+        )
         for part, position, turn in rest[0]
     )

@@ -42,9 +42,23 @@ def remembered(memory: Memory, contacts: Contacts, rows: Rows) -> Array:
     if not len(memory.key):
         return np.zeros((len(contacts.key), 3))
     order = np.argsort(memory.key, kind="stable")
-    place = order[np.minimum(np.searchsorted(memory.key, contacts.key, sorter=order), len(order) - 1)]
-    had = np.where((memory.key[place] == contacts.key)[:, None], memory.impulse[place], 0.0)
+    place = order[
+        np.minimum(
+            np.searchsorted(memory.key, contacts.key, sorter=order),
+            len(order) - 1,
+        )
+    ]
+    had = np.where(
+        (memory.key[place] == contacts.key)[:, None],
+        memory.impulse[place],
+        0.0,
+    )
     # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that much more.
-    friction = np.stack([np.vecdot(had, tangent) for tangent in tangents(contacts.normal)], axis=-1)
-    normal = np.vecdot(had, contacts.normal) + np.vecdot(rows.coupling, friction)
+    friction = np.stack(
+        [np.vecdot(had, tangent) for tangent in tangents(contacts.normal)],
+        axis=-1,
+    )
+    normal = np.vecdot(had, contacts.normal) + np.vecdot(
+        rows.coupling, friction
+    )
     return np.concatenate([normal[:, None], friction], axis=-1)

@@ -14,7 +14,15 @@ from solutions.world.round_pairs import (
     sphere_half_space,
     sphere_sphere,
 )
-from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Found, Placed
+from solutions.world.shapes import (
+    BOX,
+    CAPSULE,
+    HALF_SPACE,
+    POLYHEDRON,
+    SPHERE,
+    Found,
+    Placed,
+)
 
 PAIRS: dict[tuple[int, int], Callable[[Placed, Placed, float], Found]] = {
     (SPHERE, SPHERE): sphere_sphere,

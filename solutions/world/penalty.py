@@ -5,7 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from solutions.arrays import Array
-from solutions.response import penalty_damping, penalty_force, tangential_spring
+from solutions.response import (
+    penalty_damping,
+    penalty_force,
+    tangential_spring,
+)
 from solutions.world.rows import Rows, after_impulses
 
 
@@ -62,17 +66,29 @@ def solve_with_springs(
     """
     normal, mass = rows.direction[:, 0], 1 / rows.softness[:, 0, 0]
     critical = 2 * np.sqrt(stiffness * mass)
-    damping = np.minimum(penalty_damping(restitution, mass, stiffness), critical)
-    press = penalty_force(separation, approach[:, 0], normal, stiffness, damping)
+    damping = np.minimum(
+        penalty_damping(restitution, mass, stiffness), critical
+    )
+    press = penalty_force(
+        separation, approach[:, 0], normal, stiffness, damping
+    )
     across = 1 / np.linalg.eigvalsh(rows.softness[:, 1:, 1:])[:, 1]
     along = stiffness * across / mass
     slip = np.vecmat(approach[:, 1:], rows.direction[:, 1:])
     stretch = -np.vecmat(start, rows.direction) / (along * dt)[:, None]
     size = np.vecdot(press, normal)
     friction_force, stretch = tangential_spring(
-        stretch, slip, normal, size, friction, along, np.sqrt(along * across), dt
+        stretch,
+        slip,
+        normal,
+        size,
+        friction,
+        along,
+        np.sqrt(along * across),
+        dt,
     )
     impulse, springs = (
-        dt * np.matvec(rows.direction, force) for force in (press + friction_force, -along[:, None] * stretch)
+        dt * np.matvec(rows.direction, force)
+        for force in (press + friction_force, -along[:, None] * stretch)
     )
     return *after_impulses(rows, velocity, angular_velocity, impulse), springs

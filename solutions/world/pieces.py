@@ -12,7 +12,15 @@ from solutions.checks import finite, in_space, positive, unit, vector
 from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.hulls import checked_solid
-from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Placed, Shape
+from solutions.world.shapes import (
+    BOX,
+    CAPSULE,
+    HALF_SPACE,
+    POLYHEDRON,
+    SPHERE,
+    Placed,
+    Shape,
+)
 from solutions.world.vectors import tangents
 
 NEEDS = {
@@ -77,17 +85,30 @@ def pieces_of(shapes: Sequence[Shape]) -> Pieces:
                 hull.append(-1)
             elif shape[0] == "box":
                 kind.append(BOX)
-                size.append([_length(each) for each in vector("half_extents", shape[1])])
+                size.append(
+                    [
+                        _length(each)
+                        for each in vector("half_extents", shape[1])
+                    ]
+                )
                 hull.append(0)
             elif shape[0] == "polyhedron":
                 kind.append(POLYHEDRON)
                 size.append([0.0, 0.0, 0.0])
-                hull.append(_place_of(hulls, finite("vertices", vector("vertices", shape[1])), shape[2]))
+                hull.append(
+                    _place_of(
+                        hulls,
+                        finite("vertices", vector("vertices", shape[1])),
+                        shape[2],
+                    )
+                )
             else:
                 kind.append(HALF_SPACE)
                 size.append([0.0, 0.0, 0.0])
                 hull.append(-1)
-                rotation[-1] = turn @ _axes_along(unit("normal", vector("normal", shape[1])))
+                rotation[-1] = turn @ _axes_along(
+                    unit("normal", vector("normal", shape[1]))
+                )
     return Pieces(
         np.array(body, dtype=np.int64),
         np.array(kind, dtype=np.int64),
@@ -99,13 +120,21 @@ def pieces_of(shapes: Sequence[Shape]) -> Pieces:
     )
 
 
-def _convex(shape: Shape, position: Array, rotation: Array) -> Iterator[tuple[Shape, Array, Array]]:
+def _convex(
+    shape: Shape, position: Array, rotation: Array
+) -> Iterator[tuple[Shape, Array, Array]]:
     """A shape's convex pieces, each with its place in the body."""
     kind = shape[0] if isinstance(shape, tuple | list) and shape else None
     if kind not in NEEDS:
-        raise ValueError(f"shape must be a tuple that begins with {', '.join(NEEDS)}, not {kind or shape!r}")
+        raise ValueError(
+            f"shape must be a tuple that begins with {', '.join(NEEDS)}, not"
+            f" {kind or shape!r}"
+        )
     if len(shape) != 1 + len(NEEDS[kind]):
-        raise ValueError(f"a {kind} needs {', '.join(NEEDS[kind])}, not {len(shape) - 1} numbers or arrays")
+        raise ValueError(
+            f"a {kind} needs {', '.join(NEEDS[kind])}, not {len(shape) - 1}"
+            " numbers or arrays"
+        )
     if kind != "compound":
         yield shape, position, rotation
         return
@@ -113,7 +142,9 @@ def _convex(shape: Shape, position: Array, rotation: Array) -> Iterator[tuple[Sh
         raise ValueError("a compound must have parts, not none")
     for part, place, orientation in shape[1]:
         yield from _convex(
-            part, position + rotation @ in_space("position", place), rotation @ rotation_matrix(orientation)
+            part,
+            position + rotation @ in_space("position", place),
+            rotation @ rotation_matrix(orientation),
         )
 
 
@@ -121,12 +152,22 @@ def _length(value: float) -> float:
     return float(positive("size of a shape", finite("size of a shape", value)))
 
 
-def _place_of(hulls: list[tuple[Array, Integers]], vertices: Array, faces: Sequence[Sequence[int]]) -> int:
+def _place_of(
+    hulls: list[tuple[Array, Integers]],
+    vertices: Array,
+    faces: Sequence[Sequence[int]],
+) -> int:
     """Where a hull stands in the list; one that is not there yet is added."""
     longest = max((len(face) for face in faces), default=0)
-    padded = np.array([[*face, *[face[-1]] * (longest - len(face))] for face in faces])
+    padded = np.array(
+        [[*face, *[face[-1]] * (longest - len(face))] for face in faces]
+    )
     for place, (others, their_faces) in enumerate(hulls):
-        if place and np.array_equal(others, vertices) and np.array_equal(their_faces, padded):
+        if (
+            place
+            and np.array_equal(others, vertices)
+            and np.array_equal(their_faces, padded)
+        ):
             return place
     hulls.append(checked_solid(vertices, padded))
     return len(hulls) - 1
@@ -138,7 +179,9 @@ def _axes_along(normal: Array) -> Array:
     return np.stack([first, second, normal], axis=-1)
 
 
-def place_pieces(pieces: Pieces, position: Array, orientation: Array) -> tuple[Array, Array]:
+def place_pieces(
+    pieces: Pieces, position: Array, orientation: Array
+) -> tuple[Array, Array]:
     """Where the pieces are when their bodies are at these places.
 
     Parameters
@@ -153,20 +196,35 @@ def place_pieces(pieces: Pieces, position: Array, orientation: Array) -> tuple[A
     rotation : (p, 3, 3), from its own axes to the world's
     """
     of_body = rotation_matrix(orientation)[pieces.body]
-    return position[pieces.body] + np.matvec(of_body, pieces.position), of_body @ pieces.rotation
+    return position[pieces.body] + np.matvec(
+        of_body, pieces.position
+    ), of_body @ pieces.rotation
 
 
-def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -> Placed:
+def placed(
+    pieces: Pieces, chosen: Integers, position: Array, rotation: Array
+) -> Placed:
     """Some pieces of one kind and one hull, (k,) numbers, where `place_pieces` says."""
-    at, turn, size, hull = position[chosen], rotation[chosen], pieces.size[chosen], pieces.hull[chosen[0]]
+    at, turn, size, hull = (
+        position[chosen],
+        rotation[chosen],
+        pieces.size[chosen],
+        pieces.hull[chosen[0]],
+    )
     if hull < 0:
         return Placed(at, turn, size, np.zeros((len(chosen), 0, 3)), NO_FACES)
     corners, faces = pieces.hulls[hull]
-    own = corners * size[:, None, :] if hull == 0 else np.broadcast_to(corners, (len(chosen), *corners.shape))
+    own = (
+        corners * size[:, None, :]
+        if hull == 0
+        else np.broadcast_to(corners, (len(chosen), *corners.shape))
+    )
     return Placed(at, turn, size, at[:, None, :] + own @ turn.mT, faces)
 
 
-def bounding_boxes(pieces: Pieces, position: Array, rotation: Array) -> tuple[Array, Array]:
+def bounding_boxes(
+    pieces: Pieces, position: Array, rotation: Array
+) -> tuple[Array, Array]:
     """Lowest and highest corner, (p, 3) each, m, of a box around each piece."""
     middle, reach = position.copy(), np.zeros_like(position)
     for kind in np.unique(pieces.kind):

@@ -66,7 +66,13 @@ def simultaneous(asked: Question) -> Answer:
     """All contacts at once; see `solve_simultaneously`."""
 
     def solve(wanted: Wanted, start: Array) -> Answer:
-        return solve_simultaneously(asked.rows, asked.velocity, asked.angular_velocity, wanted, asked.rules.directions)
+        return solve_simultaneously(
+            asked.rows,
+            asked.velocity,
+            asked.angular_velocity,
+            wanted,
+            asked.rules.directions,
+        )
 
     return _by_law(solve, asked)
 
@@ -94,7 +100,11 @@ RESPONSES: dict[str, Callable[[Question], Answer]] = {
 }
 
 
-def _by_law(solve: Callable[[Wanted, Array], Answer], asked: Question) -> Answer:
+def _by_law(
+    solve: Callable[[Wanted, Array], Answer], asked: Question
+) -> Answer:
     if asked.rules.law == "poisson":
-        return solve_in_two_phases(solve, asked.wanted, asked.restitution, asked.start)
+        return solve_in_two_phases(
+            solve, asked.wanted, asked.restitution, asked.start
+        )
     return solve(asked.wanted, asked.start)

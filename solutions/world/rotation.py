@@ -6,12 +6,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
-from solutions.checks import finite, in_space, matrix, not_negative, unit, vector
+from solutions.checks import (
+    finite,
+    in_space,
+    matrix,
+    not_negative,
+    unit,
+    vector,
+)
 from solutions.world.vectors import cross
 
 
 def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
-    """Orientation of a body that is turned further, about an axis in the world.
+    """Orientation of a body that is turned further, about a world axis.
 
     Parameters
     ----------
@@ -27,20 +34,24 @@ def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If a quaternion does not have four components or does not have length 1, or a
-        rotation is not finite or does not have three components.
+        If a quaternion does not have four components or does not have length
+        1, or a rotation is not finite or does not have three components.
 
     Notes
     -----
     A turn by the angle θ about the unit vector n is the quaternion
 
-        (cos θ/2, n sin θ/2) = (cos θ/2, w sin(θ/2)/θ)    with the rotation w = n θ
+        (cos θ/2, n sin θ/2) = (cos θ/2, w sin(θ/2)/θ)    with the rotation w =
+        n θ
 
-    As θ goes to 0, the quotient goes to ½, and `np.sinc` uses this limit. The formula
-    is exact for an angle of any size. The turn that comes later is the left factor of
-    the `quaternion_product`.
+    As θ goes to 0, the quotient goes to ½, and `np.sinc` uses this limit. The
+    formula is exact for an angle of any size. The turn that comes later is the
+    left factor of the `quaternion_product`.
     """
-    return _product(_turn(in_space("rotation", rotation)), _quaternion("orientation", orientation))
+    return _product(
+        _turn_of(in_space("rotation", rotation)),
+        _quaternion("orientation", orientation),
+    )
 
 
 def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
@@ -49,7 +60,8 @@ def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
     Parameters
     ----------
     second, first : (..., 4), unit quaternions w, x, y, z
-        The rotation `first` turns a vector, and then `second` turns the result.
+        The rotation `first` turns a vector, and then `second` turns the
+        result.
 
     Returns
     -------
@@ -58,7 +70,8 @@ def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If a quaternion does not have four components or does not have length 1.
+        If a quaternion does not have four components or does not have length
+        1.
 
     Notes
     -----
@@ -66,9 +79,9 @@ def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
 
         (a b − p·q,  a q + b p + p × q)
 
-    The cross product makes the order matter. The product of two unit quaternions has
-    length 1. The function divides by its length nevertheless, since roundings would add
-    up over many steps.
+    The cross product makes the order matter. The product of two unit
+    quaternions has length 1. The function divides by its length nevertheless,
+    since roundings would add up over many steps.
     """
     return _product(_quaternion("second", second), _quaternion("first", first))
 
@@ -78,7 +91,8 @@ def orientation_of(rotation: ArrayLike) -> Array:
 
     Parameters
     ----------
-    rotation : (..., 3, 3), R, whose columns are the body's axes as seen in the world
+    rotation : (..., 3, 3), R, whose columns are the body's axes as seen in the
+    world
         They are perpendicular, of unit length and right-handed.
 
     Returns
@@ -92,25 +106,32 @@ def orientation_of(rotation: ArrayLike) -> Array:
 
     Notes
     -----
-    The diagonal of R = 1 + 2 w [q×] + 2 [q×]² and the sums and differences of the other
-    numbers across it give the products of any two components of the quaternion. For
-    example, R₃₂ − R₂₃ = 4 w x, R₂₁ + R₁₂ = 4 x y and 1 + R₁₁ + R₂₂ + R₃₃ = 4 w². All
-    sixteen products together are a matrix each row of which is a multiple of the
-    quaternion. The function takes the row with the largest square, because this row has
-    lost the fewest digits.
+    The diagonal of R = 1 + 2 w [q×] + 2 [q×]² and the sums and differences of
+    the other numbers across it give the products of any two components of the
+    quaternion. For example, R₃₂ − R₂₃ = 4 w x, R₂₁ + R₁₂ = 4 x y and 1 + R₁₁ +
+    R₂₂ + R₃₃ = 4 w². All sixteen products together are a matrix each row of
+    which is a multiple of the quaternion. The function takes the row with the
+    largest square, because this row has lost the fewest digits.
     """
     r = matrix("rotation", rotation)
-    transposed, trace = np.swapaxes(r, -1, -2), np.trace(r, axis1=-2, axis2=-1)[..., None, None]
+    transposed, trace = (
+        np.swapaxes(r, -1, -2),
+        np.trace(r, axis1=-2, axis2=-1)[..., None, None],
+    )
     products = np.empty((*r.shape[:-2], 4, 4))
     products[..., 0, 0] = 1 + trace[..., 0, 0]
-    products[..., 0, 1:] = products[..., 1:, 0] = (r - transposed)[..., [2, 0, 1], [1, 2, 0]]
+    products[..., 0, 1:] = products[..., 1:, 0] = (r - transposed)[
+        ..., [2, 0, 1], [1, 2, 0]
+    ]
     products[..., 1:, 1:] = r + transposed + (1 - trace) * np.eye(3)
     largest = np.argmax(np.diagonal(products, axis1=-2, axis2=-1), axis=-1)
-    row = np.take_along_axis(products, largest[..., None, None], axis=-2)[..., 0, :]
+    row = np.take_along_axis(products, largest[..., None, None], axis=-2)[
+        ..., 0, :
+    ]
     return np.asarray(row / np.linalg.norm(row, axis=-1, keepdims=True))
 
 
-def rotate_by_momentum(
+def turn_freely(
     orientation: ArrayLike,
     angular_velocity: ArrayLike,
     moments: ArrayLike,
@@ -118,8 +139,9 @@ def rotate_by_momentum(
 ) -> tuple[Array, Array]:
     """Turn bodies on which no torque acts, over a time dt (slide 18).
 
-    The angular momentum of each body stays as it is, to rounding. The spin follows from
-    it, because the inertia turns with the body: this is the gyroscopic term.
+    The angular momentum of each body stays as it is, to rounding. The spin
+    follows from it, because the inertia turns with the body: this is the
+    gyroscopic term.
 
     Parameters
     ----------
@@ -133,16 +155,17 @@ def rotate_by_momentum(
     Returns
     -------
     orientation, angular_velocity : (..., 4) and (..., 3)
-        A body with three equal moments keeps its spin, exactly. So does a body that has
-        an infinite moment, because something else holds it or drives it. About an axis
-        without a moment, as that of a thin rod, the angular momentum is zero and says
-        nothing of the spin. The body keeps its spin about this axis and takes it along.
+        A body with three equal moments keeps its spin, exactly. So does a body
+        that has an infinite moment, because something else holds it or drives
+        it. About an axis without a moment, as that of a thin rod, the angular
+        momentum is zero and says nothing of the spin. The body keeps its spin
+        about this axis and takes it along.
 
     Raises
     ------
     ValueError
-        If a quaternion does not have length 1, a moment is negative or not a number,
-        something else is not finite, or a shape does not fit.
+        If a quaternion does not have length 1, a moment is negative or not a
+        number, something else is not finite, or a shape does not fit.
 
     Notes
     -----
@@ -150,75 +173,123 @@ def rotate_by_momentum(
 
         L = I(q) ω,    I(q) = R I_body Rᵀ
 
-    Without a torque, L is constant. As the body turns, R changes. So I(q) changes, and
-    ω = I⁻¹(q) L must change too. A program that keeps ω instead breaks L, and in such a
-    program nothing ever tumbles.
+    Without a torque, L is constant. As the body turns, R changes. So I(q)
+    changes, and ω = I⁻¹(q) L must change too. A program that keeps ω instead
+    breaks L, and in such a program nothing ever tumbles.
 
-    How the body turns can be written down for a part of its energy at a time. Let M be
-    L along the body's own axes, i, j and k, and a = 1/I. The energy is
+    How the body turns can be written down for a part of its energy at a time.
+    Let M be L along the body's own axes, i, j and k, and a = 1/I. The energy
+    is
 
         (a_i M_i² + a_j M_j² + a_k M_k²)/2
             = a_j ‖L‖²/2 + (a_k − a_j) M_k²/2 + (a_i − a_j) M_i²/2
 
-    With the first part alone, the body would be like a ball: it would turn about L, by
-    a_j L in each second. With the second part alone it would turn about its own axis k,
-    by (a_k − a_j) M_k, and M_k would stay. The third part does the same about i. A step
-    takes half of the third part, then the first and the second one, and then the other
-    half of the third.
+    With the first part alone, the body would be like a ball: it would turn
+    about L, by a_j L in each second. With the second part alone it would turn
+    about its own axis k, by (a_k − a_j) M_k, and M_k would stay. The third
+    part does the same about i. A step takes half of the third part, then the
+    first and the second one, and then the other half of the third.
 
-    The axes i and j are the two whose a differ least. In a body with two equal moments,
-    such as a rod or a coin, the third part is zero, and the other two do not disturb
-    each other: the step is exact, however long it is. In other bodies the error of the
-    orientation is proportional to dt².
+    The axes i and j are the two whose a differ least. In a body with two equal
+    moments, such as a rod or a coin, the third part is zero, and the other two
+    do not disturb each other: the step is exact, however long it is. In other
+    bodies the error of the orientation is proportional to dt².
 
-    The step only ever turns the body, so that L stays. It reads the same from both
-    ends. If it gained energy on the way forwards, it would lose as much on the way
-    back, which is a free rotation like any other. So the energy oscillates by a share
-    of the order (ω dt)², and does not drift. It cannot grow without bound in any case:
-    it stays between ‖L‖²/2 over the largest moment and ‖L‖²/2 over the smallest.
+    The step only ever turns the body, so that L stays. It reads the same from
+    both ends. If it gained energy on the way forwards, it would lose as much
+    on the way back, which is a free rotation like any other. So the energy
+    oscillates by a share of the order (ω dt)², and does not drift. It cannot
+    grow without bound in any case: it stays between ‖L‖²/2 over the largest
+    moment and ‖L‖²/2 over the smallest.
 
-    A rule that turns the body by the spin in the middle of the step needs to find this
-    spin. In a slender body a slight error of the orientation is a large spin about the
-    long axis. There such a rule gains energy, and at coarse steps it finds nothing.
+    A rule that turns the body by the spin in the middle of the step needs to
+    find this spin. In a slender body a slight error of the orientation is a
+    large spin about the long axis. There such a rule gains energy, and at
+    coarse steps it finds nothing.
     """
-    q, w = _quaternion("orientation", orientation), in_space("angular_velocity", angular_velocity)
-    moments, dt = not_negative("moments", vector("moments", moments)), finite("dt", dt)[..., None]
-    shape = np.broadcast_shapes(*(array.shape[:-1] for array in (q, w, moments, dt)))
-    q, w, moments, dt = (np.broadcast_to(array, (*shape, array.shape[-1])) for array in (q, w, moments, dt))
+    q, w = (
+        _quaternion("orientation", orientation),
+        in_space("angular_velocity", angular_velocity),
+    )
+    moments, dt = (
+        not_negative("moments", vector("moments", moments)),
+        finite("dt", dt)[..., None],
+    )
+    shape = np.broadcast_shapes(
+        *(array.shape[:-1] for array in (q, w, moments, dt))
+    )
+    q, w, moments, dt = (
+        np.broadcast_to(array, (*shape, array.shape[-1]))
+        for array in (q, w, moments, dt)
+    )
     q_after, w_after = turned(q, w * dt), w.copy()
-    tumbling = np.any(moments != moments[..., :1], axis=-1) & np.all(np.isfinite(moments), axis=-1)
+    tumbling = np.any(moments != moments[..., :1], axis=-1) & np.all(
+        np.isfinite(moments), axis=-1
+    )
     if np.any(tumbling):
-        q_after[tumbling], w_after[tumbling] = _tumbled(q[tumbling], w[tumbling], moments[tumbling], dt[tumbling])
+        q_after[tumbling], w_after[tumbling] = _tumbled(
+            q[tumbling], w[tumbling], moments[tumbling], dt[tumbling]
+        )
     return q_after, w_after
 
 
-def _tumbled(q: Array, w: Array, moments: Array, dt: Array) -> tuple[Array, Array]:
+def _tumbled(
+    q: Array, w: Array, moments: Array, dt: Array
+) -> tuple[Array, Array]:
     """The same for n bodies with finite moments, not all equal; dt is (n, 1)."""
     has_moment, own = moments > 0, _in_its_axes(q, w)
     momentum = _in_the_world(q, moments * own)
-    per_moment = np.where(has_moment, 1 / np.where(has_moment, moments, 1.0), 0.0)
+    per_moment = np.where(
+        has_moment, 1 / np.where(has_moment, moments, 1.0), 0.0
+    )
 
-    def turned_about_own(orientation: Array, share: Array, time: Array) -> Array:
+    def turned_about_own(
+        orientation: Array, share: Array, time: Array
+    ) -> Array:
         """Orientation after a part of the energy, (a − a_j) M²/2, has acted alone."""
-        return _product(orientation, _turn(time * share * _in_its_axes(orientation, momentum)))
+        return _product(
+            orientation,
+            _turn_of(time * share * _in_its_axes(orientation, momentum)),
+        )
 
     axis_i, axis_j, axis_k = _axes(per_moment, has_moment)
-    as_a_ball = np.sum(np.where(axis_j, per_moment, 0.0), axis=-1, keepdims=True)
-    second, third = (np.where(axis, per_moment - as_a_ball, 0.0) for axis in (axis_k, axis_i))
+    as_a_ball = np.sum(
+        np.where(axis_j, per_moment, 0.0), axis=-1, keepdims=True
+    )
+    second, third = (
+        np.where(axis, per_moment - as_a_ball, 0.0)
+        for axis in (axis_k, axis_i)
+    )
     q_after = turned_about_own(q, third, dt / 2)
-    q_after = _product(_turn(as_a_ball * momentum * dt), turned_about_own(q_after, second, dt))
+    q_after = _product(
+        _turn_of(as_a_ball * momentum * dt),
+        turned_about_own(q_after, second, dt),
+    )
     q_after = turned_about_own(q_after, third, dt / 2)
-    w_after = _in_the_world(q_after, per_moment * _in_its_axes(q_after, momentum))
+    w_after = _in_the_world(
+        q_after, per_moment * _in_its_axes(q_after, momentum)
+    )
     if not np.all(has_moment):
-        unknown_to_momentum = _in_the_world(q_after, np.where(has_moment, 0.0, own))
-        q_after, w_after = _product(_turn(unknown_to_momentum * dt), q_after), w_after + unknown_to_momentum
+        unknown_to_momentum = _in_the_world(
+            q_after, np.where(has_moment, 0.0, own)
+        )
+        q_after, w_after = (
+            _product(_turn_of(unknown_to_momentum * dt), q_after),
+            w_after + unknown_to_momentum,
+        )
     return q_after, w_after
 
 
-def _axes(per_moment: Array, has_moment: Booleans) -> tuple[Booleans, Booleans, Booleans]:
+def _axes(
+    per_moment: Array, has_moment: Booleans
+) -> tuple[Booleans, Booleans, Booleans]:
     """Which of its axes are i, j and k of each body, (n, 3) each."""
-    a = np.where(has_moment, per_moment, np.finfo(float).max)  # an axis without a moment is far from all others
-    apart = np.abs(np.roll(a, -1, axis=-1) - np.roll(a, -2, axis=-1))  # of the other two axes
+    a = np.where(
+        has_moment, per_moment, np.finfo(float).max
+    )  # an axis without a moment is far from all others
+    apart = np.abs(
+        np.roll(a, -1, axis=-1) - np.roll(a, -2, axis=-1)
+    )  # of the other two axes
     axis_k = np.arange(3) == np.argmin(apart, axis=-1)[:, None]
     return np.roll(axis_k, 1, axis=-1), np.roll(axis_k, 2, axis=-1), axis_k
 
@@ -234,17 +305,26 @@ def _in_its_axes(q: Array, v: Array) -> Array:
     return _in_the_world(q * (1.0, -1.0, -1.0, -1.0), v)
 
 
-def _turn(w: Array) -> Array:
+def _turn_of(w: Array) -> Array:
     """The quaternion of a rotation vector."""
     angle = np.sqrt(np.vecdot(w, w))[..., None]
-    return np.concatenate([np.cos(angle / 2), w * np.sinc(angle / (2 * np.pi)) / 2], axis=-1)
+    return np.concatenate(
+        [np.cos(angle / 2), w * np.sinc(angle / (2 * np.pi)) / 2], axis=-1
+    )
 
 
 def _product(second: Array, first: Array) -> Array:
-    a, p, b, q = second[..., :1], second[..., 1:], first[..., :1], first[..., 1:]
+    a, p, b, q = (
+        second[..., :1],
+        second[..., 1:],
+        first[..., :1],
+        first[..., 1:],
+    )
     scalar = a * b - np.vecdot(p, q)[..., None]
     product = np.concatenate([scalar, a * q + b * p + cross(p, q)], axis=-1)
-    return np.asarray(product / np.sqrt(np.vecdot(product, product))[..., None])
+    return np.asarray(
+        product / np.sqrt(np.vecdot(product, product))[..., None]
+    )
 
 
 def _quaternion(name: str, quaternion: ArrayLike) -> Array:

@@ -37,7 +37,11 @@ class Rows(NamedTuple):
 
 
 def contact_rows(
-    contacts: Contacts, position: Array, inverse_mass: Array, inverse_inertia: Array, decoupled: bool = True
+    contacts: Contacts,
+    position: Array,
+    inverse_mass: Array,
+    inverse_inertia: Array,
+    decoupled: bool = True,
 ) -> Rows:
     """The rows of all contacts.
 
@@ -85,7 +89,9 @@ def contact_rows(
         axis=-1,
     )
     normal_softness = np.vecdot(speed[:, 0], answer[:, 0])[:, None]
-    coupling = np.matvec(speed[:, 1:], answer[:, 0]) / normal_softness * decoupled
+    coupling = (
+        np.matvec(speed[:, 1:], answer[:, 0]) / normal_softness * decoupled
+    )
     for rows in (direction, speed, answer):
         rows[:, 1:] -= coupling[:, :, None] * rows[:, :1]
     softness = speed @ np.swapaxes(answer, -1, -2)
@@ -95,11 +101,16 @@ def contact_rows(
 def speeds(rows: Rows, velocity: Array, angular_velocity: Array) -> Array:
     """Speeds (m, 3) along the normal and the two directions of friction, m/s."""
     a, b = rows.body_a, rows.body_b
-    of_both = np.concatenate([velocity[a], angular_velocity[a], velocity[b], angular_velocity[b]], axis=-1)
+    of_both = np.concatenate(
+        [velocity[a], angular_velocity[a], velocity[b], angular_velocity[b]],
+        axis=-1,
+    )
     return np.asarray(np.matvec(rows.speed, of_both))
 
 
-def after_impulses(rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array) -> tuple[Array, Array]:
+def after_impulses(
+    rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array
+) -> tuple[Array, Array]:
     """Velocities and spins, (n, 3) each, after impulses (m, 3) along the rows."""
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)
     given = np.vecmat(impulse, rows.answer)

@@ -82,16 +82,31 @@ class Rules(NamedTuple):
 def known(rules: Rules) -> Rules:
     """Return the rules; refuse a choice that does not exist, and a wrong number."""
     if rules.response not in LAWS:
-        raise ValueError(f"response must be one of {', '.join(LAWS)}, not {rules.response!r}")
+        raise ValueError(
+            f"response must be one of {', '.join(LAWS)}, not"
+            f" {rules.response!r}"
+        )
     if rules.law not in LAWS[rules.response]:
         laws = ", ".join(LAWS[rules.response])
-        raise ValueError(f"law of the response {rules.response!r} must be one of {laws}, not {rules.law!r}")
-    for name in ("rest_speed", "margin", "slop", "tolerance", "sleep_speed", "sleep_size"):
+        raise ValueError(
+            f"law of the response {rules.response!r} must be one of {laws},"
+            f" not {rules.law!r}"
+        )
+    for name in (
+        "rest_speed",
+        "margin",
+        "slop",
+        "tolerance",
+        "sleep_speed",
+        "sleep_size",
+    ):
         not_negative(name, getattr(rules, name))
     for name in ("sweeps", "push_sweeps", "looks", "directions"):
         finite(name, whole(name, not_negative(name, getattr(rules, name))))
     if rules.directions % 2 or rules.directions < 4:
-        raise ValueError(f"directions must be an even number from 4, not {rules.directions}")
+        raise ValueError(
+            f"directions must be an even number from 4, not {rules.directions}"
+        )
     finite("margin", rules.margin)
     between("recovery", rules.recovery, 0, 1)
     finite("stiffness", positive("stiffness", rules.stiffness))
@@ -99,6 +114,7 @@ def known(rules: Rules) -> Rules:
     if rules.sleep_speed and rules.response == "in time order":
         raise ValueError(
             "sleep_speed must be 0 with the response 'in time order', not"
-            f" {rules.sleep_speed:g}: an impact within a step would not wake a sleeper"
+            f" {rules.sleep_speed:g}: an impact within a step would not wake"
+            " a sleeper"
         )
     return rules

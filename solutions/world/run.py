@@ -11,7 +11,7 @@ from solutions.arrays import Array
 from solutions.world.bodies import Bodies, State
 from solutions.world.memory import NOTHING
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 Forces = Callable[[State], tuple[Array, Array]]
 """Forces and torques on all bodies in a state, (n, 3) each, N and N m."""
@@ -47,16 +47,23 @@ def run_world(
     Raises
     ------
     ValueError
-        If a number of steps is not whole or too small, or as `step_world`.
+        If a number of steps is not whole or too small, or as `advance_world`.
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
         if count < least or count != int(count):
-            raise ValueError(f"{name} must be a whole number from {least}, not {count}")
+            raise ValueError(
+                f"{name} must be a whole number from {least}, not {count}"
+            )
     kept, memory = [state], NOTHING
     for count in range(1, steps + 1):
         acting = [force(state) for force in forces]
-        force, torque = (sum((each[part] for each in acting), np.zeros(3)) for part in (0, 1))
-        state, memory, _ = step_world(bodies, state, acceleration, dt, rules, memory, force, torque)
+        force, torque = (
+            sum((each[part] for each in acting), np.zeros(3))
+            for part in (0, 1)
+        )
+        state, memory, _ = advance_world(
+            bodies, state, acceleration, dt, rules, memory, force, torque
+        )
         if count % every == 0:
             kept.append(state)
     return State(*(np.stack(parts) for parts in zip(*kept, strict=True)))

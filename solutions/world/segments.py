@@ -17,7 +17,9 @@ def ends_of(capsule: Placed) -> Array:
     return np.stack([capsule.position - half, capsule.position + half], axis=1)
 
 
-def nearest_on_segments(start_a: Array, way_a: Array, start_b: Array, way_b: Array) -> tuple[Array, Array]:
+def nearest_on_segments(
+    start_a: Array, way_a: Array, start_b: Array, way_b: Array
+) -> tuple[Array, Array]:
     """The shares of two segments at which they are nearest to each other.
 
     Parameters
@@ -32,17 +34,23 @@ def nearest_on_segments(start_a: Array, way_a: Array, start_b: Array, way_b: Arr
 
     Notes
     -----
-    Squared, the distance of p + s d from q + t e is a parabola in s for each t, and in
-    t for each s. Both derivatives vanish where the lines are nearest:
+    Squared, the distance of p + s d from q + t e is a parabola in s for each
+    t, and in t for each s. Both derivatives vanish where the lines are
+    nearest:
 
         s = ((d·e)(e·r) − (e·e)(d·r)) / ((d·d)(e·e) − (d·e)²),    r = p − q
 
-    This s is kept within 0 to 1. The best t for it is (e·(r + s d))/(e·e), also kept
-    within 0 to 1. The best s for that t is found in the same way, and ends the search
-    (Ericson, *Real-Time Collision Detection*, section 5.1.9).
+    This s is kept within 0 to 1. The best t for it is (e·(r + s d))/(e·e),
+    also kept within 0 to 1. The best s for that t is found in the same way,
+    and ends the search (Ericson, *Real-Time Collision Detection*, section
+    5.1.9).
     """
     between = start_a - start_b
-    aa, bb, ab = np.vecdot(way_a, way_a), np.vecdot(way_b, way_b), np.vecdot(way_a, way_b)
+    aa, bb, ab = (
+        np.vecdot(way_a, way_a),
+        np.vecdot(way_b, way_b),
+        np.vecdot(way_a, way_b),
+    )
     ar, br = np.vecdot(way_a, between), np.vecdot(way_b, between)
     first = _share(ab * br - bb * ar, aa * bb - ab * ab)
     share_b = _share(br + first * ab, bb)
@@ -52,4 +60,8 @@ def nearest_on_segments(start_a: Array, way_a: Array, start_b: Array, way_b: Arr
 def _share(part: Array, whole: Array) -> Array:
     """A part of a whole, from 0 to 1; 0 where there is no whole."""
     some = whole > 0
-    return np.asarray(np.where(some, np.clip(part / np.where(some, whole, 1.0), 0.0, 1.0), 0.0))
+    return np.asarray(
+        np.where(
+            some, np.clip(part / np.where(some, whole, 1.0), 0.0, 1.0), 0.0
+        )
+    )

@@ -21,7 +21,8 @@ class Wanted(NamedTuple):
     Attributes
     ----------
     speed : (m,), the least normal speed after the impulses, m/s
-    least : (m,), the least normal impulse, N s: 0, because contacts do not pull
+    least : (m,), the least normal impulse, N s: 0, because contacts do not
+    pull
     static_friction, kinetic_friction : (m,), μ_s and μ_k
     rebounds : (m,), whether the points part after an impact
     """
@@ -33,7 +34,9 @@ class Wanted(NamedTuple):
     rebounds: Booleans
 
 
-def in_groups(body_a: Integers, body_b: Integers, movable: Booleans) -> tuple[Integers, list[slice]]:
+def in_groups(
+    body_a: Integers, body_b: Integers, movable: Booleans
+) -> tuple[Integers, list[slice]]:
     """An order of the contacts, in groups of which no two contacts move the same body.
 
     Parameters
@@ -48,35 +51,48 @@ def in_groups(body_a: Integers, body_b: Integers, movable: Booleans) -> tuple[In
 
     Notes
     -----
-    First the pairs of bodies are put into groups: one after another, each into the
-    first group that moves neither of its bodies. Then each pair's first contact takes
-    its turn, group after group, then each pair's next one, and so on. If a box had
-    turns at all of its corners before the next box has one, ten boxes would need eight
-    times as many turns until they stand.
+    First the pairs of bodies are put into groups: one after another, each into
+    the first group that moves neither of its bodies. Then each pair's first
+    contact takes its turn, group after group, then each pair's next one, and
+    so on. If a box had turns at all of its corners before the next box has
+    one, ten boxes would need eight times as many turns until they stand.
 
-    Of the contacts around a face, every other one comes first. A turn disturbs the
-    neighbours most, and so a box that holds on a slope slips a hundred times less in
-    its first step than if its corners took their turns one after another.
+    Of the contacts around a face, every other one comes first. A turn disturbs
+    the neighbours most, and so a box that holds on a slope slips a hundred
+    times less in its first step than if its corners took their turns one after
+    another.
 
-    Contacts of one group do not notice each other. So an array of them may take its
-    turn together, and the result is the same as one after another.
+    Contacts of one group do not notice each other. So an array of them may
+    take its turn together, and the result is the same as one after another.
     """
-    sign, pair, count = np.unique(body_a * len(movable) + body_b, return_inverse=True, return_counts=True)
-    group_of_pair = _first_fit(sign // len(movable), sign % len(movable), movable)
+    sign, pair, count = np.unique(
+        body_a * len(movable) + body_b, return_inverse=True, return_counts=True
+    )
+    group_of_pair = _first_fit(
+        sign // len(movable), sign % len(movable), movable
+    )
     # Which contact of its pair each one is: 0, 1, 2 and so on.
     pair_by_pair = np.argsort(pair, kind="stable")
     place = np.empty_like(pair)
-    place[pair_by_pair] = np.arange(len(pair)) - np.repeat(np.cumsum(count) - count, count)
+    place[pair_by_pair] = np.arange(len(pair)) - np.repeat(
+        np.cumsum(count) - count, count
+    )
     place = np.where(place % 2 == 0, place, place + len(place)) // 2
     turn = place * (np.max(group_of_pair, initial=0) + 1) + group_of_pair[pair]
     _, size = np.unique(turn, return_counts=True)
     ends = np.cumsum([0, *size]).tolist()
-    return np.argsort(turn, kind="stable"), [slice(start, end) for start, end in itertools.pairwise(ends)]
+    return np.argsort(turn, kind="stable"), [
+        slice(start, end) for start, end in itertools.pairwise(ends)
+    ]
 
 
-def _first_fit(body_a: Integers, body_b: Integers, movable: Booleans) -> Integers:
+def _first_fit(
+    body_a: Integers, body_b: Integers, movable: Booleans
+) -> Integers:
     """The group of each pair of bodies: the first that moves neither of them."""
-    groups_of = [0] * len(movable)  # of each body, as the bits of a whole number
+    groups_of = [0] * len(
+        movable
+    )  # of each body, as the bits of a whole number
     found = []
     for a, b in zip(body_a.tolist(), body_b.tolist(), strict=True):
         free = ~(groups_of[a] | groups_of[b])
@@ -103,7 +119,8 @@ def solve_sequentially(
     Parameters
     ----------
     rows : of m contacts, in the order of their groups
-    groups : contacts that may take their turn together, as `in_groups` gives them
+    groups : contacts that may take their turn together, as `in_groups` gives
+    them
     velocity, angular_velocity : (n, 3), of all bodies before, m/s and rad/s
         With what all other forces add in this step.
     wanted : what the impulses have to reach
@@ -119,37 +136,54 @@ def solve_sequentially(
 
     Notes
     -----
-    In its turn a contact sees the velocities as all others have left them. Along the
-    normal it gets what makes its speed the wanted one; what it has had in all is
-    clamped, not what is added now, so that a later turn may take back what an earlier
-    one gave too much. Friction gets what ends the slip. If that is more than μ times
-    the normal impulse, the points slip, and friction opposes the slip with μ times the
-    normal impulse.
+    In its turn a contact sees the velocities as all others have left them.
+    Along the normal it gets what makes its speed the wanted one; what it has
+    had in all is clamped, not what is added now, so that a later turn may take
+    back what an earlier one gave too much. Friction gets what ends the slip.
+    If that is more than μ times the normal impulse, the points slip, and
+    friction opposes the slip with μ times the normal impulse.
 
-    Of two coefficients, μ_s is tried first at all contacts: a body that stands on four
-    points begins to slip if they cannot hold it together. Those that slip then, slip
-    with μ_k.
+    Of two coefficients, μ_s is tried first at all contacts: a body that stands
+    on four points begins to slip if they cannot hold it together. Those that
+    slip then, slip with μ_k.
 
-    The clamp is a circle (Coulomb's cone), not a square for each direction. Friction
-    along t − a n takes a·λ_t from the normal impulse, which is then λ_n − a·λ_t. In the
-    direction d the edge of the cone lies at R = μ (λ_n − a·d R), so that
-    R = μ λ_n/(1 + μ a·d).
+    The clamp is a circle (Coulomb's cone), not a square for each direction.
+    Friction along t − a n takes a·λ_t from the normal impulse, which is then
+    λ_n − a·λ_t. In the direction d the edge of the cone lies at R = μ (λ_n −
+    a·d R), so that R = μ λ_n/(1 + μ a·d).
 
-    Where λ_n is negative, nothing at this edge is in the cone. Then friction gives way,
-    and the normal impulse is clamped again, because friction now takes another share.
+    Where λ_n is negative, nothing at this edge is in the cone. Then friction
+    gives way, and the normal impulse is clamped again, because friction now
+    takes another share.
 
-    With a rebound, friction leaves the least energy if it opposes not the slip w but
-    w + c μ a, where c is how strongly the edge holds; `dissipative_impulse` derives it.
-    Without a rebound, u_n = 0, friction opposes the slip, as Coulomb says.
+    With a rebound, friction leaves the least energy if it opposes not the slip
+    w but w + c μ a, where c is how strongly the edge holds;
+    `dissipative_impulse` derives it. Without a rebound, u_n = 0, friction
+    opposes the slip, as Coulomb says.
     """
     if np.any(wanted.static_friction > wanted.kinetic_friction):
         at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
-        found = solve_sequentially(rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance)
-        edge = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
+        found = solve_sequentially(
+            rows,
+            groups,
+            velocity,
+            angular_velocity,
+            at_rest,
+            start,
+            sweeps,
+            tolerance,
+        )
+        edge = np.where(
+            _slip(rows, *found),
+            wanted.kinetic_friction,
+            wanted.static_friction,
+        )
         wanted = wanted._replace(static_friction=edge, kinetic_friction=edge)
     bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
     impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
-    velocities = np.concatenate(after_impulses(rows, velocity, angular_velocity, impulse), axis=-1)
+    velocities = np.concatenate(
+        after_impulses(rows, velocity, angular_velocity, impulse), axis=-1
+    )
     friction = _Friction(rows, wanted)
     for _ in range(sweeps):
         before = impulse.copy()
@@ -159,20 +193,37 @@ def solve_sequentially(
             new = impulse[group]
             missing = wanted.speed[group] - speed[:, 0]
             taken = np.vecdot(rows.coupling[group], had[:, 1:])
-            new[:, 0] = np.maximum(wanted.least[group] + taken, had[:, 0] + missing / rows.softness[group, 0, 0])
-            new[:, 1:] = friction.impulse(group, had[:, 1:], speed[:, 1:], new[:, 0])
+            new[:, 0] = np.maximum(
+                wanted.least[group] + taken,
+                had[:, 0] + missing / rows.softness[group, 0, 0],
+            )
+            new[:, 1:] = friction.impulse(
+                group, had[:, 1:], speed[:, 1:], new[:, 0]
+            )
             taken = np.vecdot(rows.coupling[group], new[:, 1:])
             new[:, 0] = np.maximum(wanted.least[group] + taken, new[:, 0])
-            velocities[bodies[group]] = of_both + np.vecmat(new - had, rows.answer[group]).reshape(-1, 2, 6)
-        if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(np.abs(impulse), initial=0.0):
+            velocities[bodies[group]] = of_both + np.vecmat(
+                new - had, rows.answer[group]
+            ).reshape(-1, 2, 6)
+        if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(
+            np.abs(impulse), initial=0.0
+        ):
             break
     return velocities[:, :3], velocities[:, 3:], impulse
 
 
-def _slip(rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array) -> Booleans:
+def _slip(
+    rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array
+) -> Booleans:
     """Whether the points of each contact slip (m,): more than rounding would."""
-    missing = np.linalg.solve(rows.softness[:, 1:, 1:], speeds(rows, velocity, angular_velocity)[:, 1:, None])[..., 0]
-    return np.asarray(np.linalg.norm(missing, axis=-1) > SLIPS * np.linalg.norm(impulse[:, 1:], axis=-1))
+    missing = np.linalg.solve(
+        rows.softness[:, 1:, 1:],
+        speeds(rows, velocity, angular_velocity)[:, 1:, None],
+    )[..., 0]
+    return np.asarray(
+        np.linalg.norm(missing, axis=-1)
+        > SLIPS * np.linalg.norm(impulse[:, 1:], axis=-1)
+    )
 
 
 class _Friction:
@@ -180,24 +231,38 @@ class _Friction:
 
     def __init__(self, rows: Rows, wanted: Wanted) -> None:
         self.coupling, self.wanted = rows.coupling, wanted
-        self.rough, self.rebounds = bool(np.any(wanted.static_friction)), bool(np.any(wanted.rebounds))
+        self.rough, self.rebounds = (
+            bool(np.any(wanted.static_friction)),
+            bool(np.any(wanted.rebounds)),
+        )
         if self.rough:
             softness = rows.softness[:, 1:, 1:]
             self.mass = np.linalg.inv(softness)
-            # The larger eigenvalue: no step along the slip that is divided by it goes
-            # too far.
+            # The larger eigenvalue: no step along the slip that is divided by
+            # it goes too far.
             mean = (softness[:, 0, 0] + softness[:, 1, 1]) / 2
-            most = mean + np.hypot((softness[:, 0, 0] - softness[:, 1, 1]) / 2, softness[:, 0, 1])
+            most = mean + np.hypot(
+                (softness[:, 0, 0] - softness[:, 1, 1]) / 2, softness[:, 0, 1]
+            )
             self.least_mass = 1 / most[:, None]
 
-    def impulse(self, group: slice, had: Array, slip: Array, normal: Array) -> Array | float:
+    def impulse(
+        self, group: slice, had: Array, slip: Array, normal: Array
+    ) -> Array | float:
         """Impulses (k, 2) that end the slip, or oppose it at the edge of the cone."""
         if not self.rough:
             return 0.0
-        coupling, kinetic = self.coupling[group], self.wanted.kinetic_friction[group]
+        coupling, kinetic = (
+            self.coupling[group],
+            self.wanted.kinetic_friction[group],
+        )
         sticking = had - np.matvec(self.mass[group], slip)
-        most = self.wanted.static_friction[group] * (normal - np.vecdot(coupling, sticking))
-        holds = np.vecdot(sticking, sticking) <= most * np.abs(most)  # no edge below zero
+        most = self.wanted.static_friction[group] * (
+            normal - np.vecdot(coupling, sticking)
+        )
+        holds = np.vecdot(sticking, sticking) <= most * np.abs(
+            most
+        )  # no edge below zero
         if np.all(holds):
             return np.asarray(sticking)
         if self.rebounds:
@@ -205,17 +270,27 @@ class _Friction:
         sliding = had - self.least_mass[group] * slip
         length, along = _split(sliding)
         steepness = 1 + kinetic * np.vecdot(coupling, along)
-        edge = np.where(steepness > 0, kinetic * normal / np.where(steepness > 0, steepness, 1.0), length)
+        edge = np.where(
+            steepness > 0,
+            kinetic * normal / np.where(steepness > 0, steepness, 1.0),
+            length,
+        )
         edge = np.where(normal > 0, edge, 0.0)
-        return np.where(holds[:, None], sticking, np.minimum(edge, length)[:, None] * along)
+        return np.where(
+            holds[:, None], sticking, np.minimum(edge, length)[:, None] * along
+        )
 
-    def _towards_least_energy(self, group: slice, had: Array, slip: Array) -> Array:
+    def _towards_least_energy(
+        self, group: slice, had: Array, slip: Array
+    ) -> Array:
         """What turns friction at rebounds from the slip to least energy, c μ a."""
         mu_a = self.wanted.kinetic_friction[group, None] * self.coupling[group]
         _, along = _split(had)
         steepness = 1 + np.vecdot(mu_a, along)
         turns = self.wanted.rebounds[group] & (steepness > 0)
-        hold = np.maximum(-np.vecdot(slip, along), 0.0) / np.where(turns, steepness, 1.0)
+        hold = np.maximum(-np.vecdot(slip, along), 0.0) / np.where(
+            turns, steepness, 1.0
+        )
         return np.where(turns, hold, 0.0)[:, None] * mu_a
 
 

@@ -73,8 +73,13 @@ def solve_simultaneously(
     apart = speeds(rows, velocity, angular_velocity)
     impulse = np.zeros_like(apart)
     for island in islands(rows, len(velocity)):
-        some, targets = Rows._make(each[island] for each in rows), Wanted._make(each[island] for each in wanted)
-        impulse[island] = _impulses(some, apart[island], targets, len(velocity), directions)
+        some, targets = (
+            Rows._make(each[island] for each in rows),
+            Wanted._make(each[island] for each in wanted),
+        )
+        impulse[island] = _impulses(
+            some, apart[island], targets, len(velocity), directions
+        )
     return *after_impulses(rows, velocity, angular_velocity, impulse), impulse
 
 
@@ -84,7 +89,10 @@ def islands(rows: Rows, bodies: int) -> list[Integers]:
     Contacts of two islands have no body in common that an impulse moves. So the problem
     of all contacts falls into one for each island.
     """
-    moves_a, moves_b = (np.any(rows.answer[:, 0, part], axis=-1) for part in (slice(0, 6), slice(6, 12)))
+    moves_a, moves_b = (
+        np.any(rows.answer[:, 0, part], axis=-1)
+        for part in (slice(0, 6), slice(6, 12))
+    )
     both = moves_a & moves_b
     a, b, label = rows.body_a[both], rows.body_b[both], np.arange(bodies)
     while np.any(label[a] != label[b]):
@@ -95,22 +103,40 @@ def islands(rows: Rows, bodies: int) -> list[Integers]:
     return [np.flatnonzero(of == each) for each in np.unique(of)]
 
 
-def _impulses(rows: Rows, apart: Array, wanted: Wanted, bodies: int, directions: int) -> Array:
+def _impulses(
+    rows: Rows, apart: Array, wanted: Wanted, bodies: int, directions: int
+) -> Array:
     """Impulses (m, 3) of one island, N s."""
     softness = _softness_of_all(rows, bodies)
     # Impulses over a mass are speeds, and the matrix is then one of mere shares.
     mass = 1 / np.max(softness[:, 0, :, 0])
     scaled = softness * mass
     if not np.any(wanted.static_friction):
-        missing = apart[:, 0] - wanted.speed + softness[:, 0, :, 0] @ wanted.least
-        normal = wanted.least + mass * solve_by_pivots(scaled[:, 0, :, 0], missing)
+        missing = (
+            apart[:, 0] - wanted.speed + softness[:, 0, :, 0] @ wanted.least
+        )
+        normal = wanted.least + mass * solve_by_pivots(
+            scaled[:, 0, :, 0], missing
+        )
         return np.stack([normal, 0 * normal, 0 * normal], axis=-1)
     friction = wanted.static_friction
-    solved, slip = _with_friction(rows, scaled, apart, wanted, wanted.least / mass, friction, directions)
-    weaker = (slip > STILL * np.max(np.abs(apart))) & (wanted.kinetic_friction < friction)
+    solved, slip = _with_friction(
+        rows, scaled, apart, wanted, wanted.least / mass, friction, directions
+    )
+    weaker = (slip > STILL * np.max(np.abs(apart))) & (
+        wanted.kinetic_friction < friction
+    )
     if np.any(weaker):
         friction = np.where(weaker, wanted.kinetic_friction, friction)
-        solved, _ = _with_friction(rows, scaled, apart, wanted, wanted.least / mass, friction, directions)
+        solved, _ = _with_friction(
+            rows,
+            scaled,
+            apart,
+            wanted,
+            wanted.least / mass,
+            friction,
+            directions,
+        )
     return mass * solved
 
 
@@ -122,21 +148,36 @@ def _softness_of_all(rows: Rows, bodies: int) -> Array:
         whole[each, :, rows.body_a] = part[:, :, :6]
         whole[each, :, rows.body_b] = part[:, :, 6:]
     size = (3 * count, 6 * bodies)
-    return (speed.reshape(size) @ answer.reshape(size).T).reshape(count, 3, count, 3)
+    return (speed.reshape(size) @ answer.reshape(size).T).reshape(
+        count, 3, count, 3
+    )
 
 
 def _with_friction(
-    rows: Rows, softness: Array, apart: Array, wanted: Wanted, least: Array, friction: Array, directions: int
+    rows: Rows,
+    softness: Array,
+    apart: Array,
+    wanted: Wanted,
+    least: Array,
+    friction: Array,
+    directions: int,
 ) -> tuple[Array, Array]:
     """Impulses (m, 3) over the unit of mass, and speeds of slip (m,), m/s."""
-    count, angle = len(friction), 2 * np.pi * np.arange(directions) / directions
+    count, angle = (
+        len(friction),
+        2 * np.pi * np.arange(directions) / directions,
+    )
     d = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     reach = 1 + friction[:, None] * rows.coupling @ d.T
     hold = np.where(wanted.rebounds[:, None], reach, 1.0)
-    fan = np.repeat(np.eye(count), directions, axis=1)  # each contact's own directions
+    fan = np.repeat(
+        np.eye(count), directions, axis=1
+    )  # each contact's own directions
     normal = softness[:, 0, :, 0]
     across = (softness[:, 0, :, 1:] @ d.T).reshape(count, -1)
-    along = np.einsum("ip,apbq,jq->aibj", d, softness[:, 1:, :, 1:], d).reshape(count * directions, -1)
+    along = np.einsum(
+        "ip,apbq,jq->aibj", d, softness[:, 1:, :, 1:], d
+    ).reshape(count * directions, -1)
     none = np.zeros((count, count))
     matrix = np.block(
         [
@@ -145,8 +186,16 @@ def _with_friction(
             [np.diag(friction), -fan * reach.ravel(), none],
         ]
     )
-    offset = np.concatenate([apart[:, 0] - wanted.speed, (apart[:, 1:] @ d.T).ravel(), np.zeros(count)])
+    offset = np.concatenate(
+        [
+            apart[:, 0] - wanted.speed,
+            (apart[:, 1:] @ d.T).ravel(),
+            np.zeros(count),
+        ]
+    )
     offset += matrix[:, :count] @ least
     solved = solve_by_pivots(matrix, offset)
     pushes = solved[count:-count].reshape(count, directions)
-    return np.concatenate([(least + solved[:count])[:, None], pushes @ d], axis=-1), solved[-count:]
+    return np.concatenate(
+        [(least + solved[:count])[:, None], pushes @ d], axis=-1
+    ), solved[-count:]

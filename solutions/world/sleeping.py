@@ -10,11 +10,13 @@ import numpy as np
 
 from solutions.arrays import Booleans
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.rules import Rules
 
 
-def with_sleepers(bodies: Bodies, state: State, asleep: Booleans) -> tuple[Bodies, State]:
+def with_sleepers(
+    bodies: Bodies, state: State, asleep: Booleans
+) -> tuple[Bodies, State]:
     """The world of a step in which sleeping bodies (n,) do not move.
 
     They are immovable, so that awake bodies find them where they lie, and two sleepers
@@ -26,7 +28,10 @@ def with_sleepers(bodies: Bodies, state: State, asleep: Booleans) -> tuple[Bodie
         inverse_mass=np.where(asleep, 0.0, bodies.inverse_mass),
         moments=np.where(asleep[:, None], np.inf, bodies.moments),
     )
-    velocity, spin = (np.where(asleep[:, None], 0.0, each) for each in (state.velocity, state.angular_velocity))
+    velocity, spin = (
+        np.where(asleep[:, None], 0.0, each)
+        for each in (state.velocity, state.angular_velocity)
+    )
     return rigid, state._replace(velocity=velocity, angular_velocity=spin)
 
 
@@ -38,7 +43,11 @@ def is_fast(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     """
     spin = rules.sleep_size * np.linalg.norm(state.angular_velocity, axis=-1)
     speed = np.maximum(np.linalg.norm(state.velocity, axis=-1), spin)
-    return np.asarray(np.where(bodies.inverse_mass > 0, speed >= rules.sleep_speed, speed > 0))
+    return np.asarray(
+        np.where(
+            bodies.inverse_mass > 0, speed >= rules.sleep_speed, speed > 0
+        )
+    )
 
 
 def is_awake(bodies: Bodies, state: State, rules: Rules) -> Booleans:
@@ -51,7 +60,9 @@ def is_awake(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     driven = fast & (bodies.inverse_mass == 0)
     if not np.any(driven):
         return fast
-    return fast | with_neighbours(driven, collect_contacts(bodies, state, rules.margin))
+    return fast | with_neighbours(
+        driven, find_contacts(bodies, state, rules.margin)
+    )
 
 
 def with_neighbours(chosen: Booleans, contacts: Contacts) -> Booleans:

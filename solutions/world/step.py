@@ -8,19 +8,24 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, positive
 from solutions.impulse import world_inverse_inertia
-from solutions.world.bodies import Bodies, State, checked
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.bodies import Bodies, State, fitting
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.memory import NOTHING, Memory, remembered
-from solutions.world.moving import moved, pushed_apart
+from solutions.world.moving import moved_on, pushed_apart
 from solutions.world.responses import RESPONSES, Question
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules, known
 from solutions.world.sequential import Wanted, in_groups
-from solutions.world.sleeping import is_awake, is_fast, with_neighbours, with_sleepers
+from solutions.world.sleeping import (
+    is_awake,
+    is_fast,
+    with_neighbours,
+    with_sleepers,
+)
 from solutions.world.time_order import step_in_time_order
 
 
-def step_world(
+def advance_world(
     bodies: Bodies,
     state: State,
     acceleration: ArrayLike,
@@ -55,58 +60,112 @@ def step_world(
         out of its range, dt is not positive, or an array is not finite or does not fit.
     """
     rules, dt = known(Rules(*rules)), float(finite("dt", positive("dt", dt)))
-    state, acceleration, force, torque = checked(bodies, state, acceleration, force, torque)
+    state, acceleration, force, torque = fitting(
+        bodies, state, acceleration, force, torque
+    )
     if rules.sleep_speed > 0:
-        return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
+        return _step_with_sleepers(
+            bodies, state, acceleration, dt, rules, memory, force, torque
+        )
 
     # Forces: they change velocities at once. The gyroscopic term, by which a free body
-    # changes its spin without a torque, acts at the end, in `moved`.
+    # changes its spin without a torque, acts at the end, in `moved_on`.
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
-    linear = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0) + bodies.inverse_mass[:, None] * force
+    linear = (
+        np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
+        + bodies.inverse_mass[:, None] * force
+    )
     angular = np.matvec(inverse_inertia, torque)
     if rules.response == "in time order":
         return _step_to_each_impact(bodies, state, linear, angular, dt, rules)
-    velocity, spin = state.velocity + dt * linear, state.angular_velocity + dt * angular
+    velocity, spin = (
+        state.velocity + dt * linear,
+        state.angular_velocity + dt * angular,
+    )
 
     # Contacts: each has a row for its normal and two for friction. In rows that are
     # decoupled, friction leaves the normal speed alone, and so it can leave the least
     # energy that an impact may leave.
     contacts, groups = _grouped_contacts(bodies, state, rules)
     least_energy = rules.law == "dissipative" and rules.response != "penalty"
-    rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia, decoupled=least_energy)
+    rows = contact_rows(
+        contacts,
+        state.position,
+        bodies.inverse_mass,
+        inverse_inertia,
+        decoupled=least_energy,
+    )
 
     # Velocities: impulses change them. Sequential impulses begin with those of the last
     # step. Where points approach, their normal speed is negative, `approach` positive.
     before = speeds(rows, state.velocity, state.angular_velocity)
-    approach = -(speeds(rows, velocity, spin) if rules.with_weight else before)[:, 0]
+    approach = -(
+        speeds(rows, velocity, spin) if rules.with_weight else before
+    )[:, 0]
     wanted, restitution = _wanted(bodies, contacts, approach, dt, rules)
     start = remembered(memory, contacts, rows)
     velocity, spin, impulse = RESPONSES[rules.response](
-        Question(contacts, rows, groups, velocity, spin, before, wanted, restitution, start, dt, rules)
+        Question(
+            contacts,
+            rows,
+            groups,
+            velocity,
+            spin,
+            before,
+            wanted,
+            restitution,
+            start,
+            dt,
+            rules,
+        )
     )
 
     # Positions: bodies move with the new velocities, and beside them out of overlaps.
     push = np.zeros((len(velocity), 6))
     if rules.response != "penalty":
-        push = pushed_apart(rows, groups, contacts.separation, velocity, spin, dt, rules)
-    after = moved(bodies, state, velocity, spin, push, dt)
-    return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
+        push = pushed_apart(
+            rows, groups, contacts.separation, velocity, spin, dt, rules
+        )
+    after = moved_on(bodies, state, velocity, spin, push, dt)
+    return (
+        after,
+        Memory(contacts.key, np.vecmat(impulse, rows.direction)),
+        contacts,
+    )
 
 
-def _grouped_contacts(bodies: Bodies, state: State, rules: Rules) -> tuple[Contacts, list[slice]]:
+def _grouped_contacts(
+    bodies: Bodies, state: State, rules: Rules
+) -> tuple[Contacts, list[slice]]:
     """The contacts of a state, in the order of groups that take their turn together."""
-    contacts = collect_contacts(bodies, state, rules.margin)
-    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
+    contacts = find_contacts(bodies, state, rules.margin)
+    order, groups = in_groups(
+        contacts.body_a, contacts.body_b, bodies.inverse_mass > 0
+    )
     return contacts.in_order(order), groups
 
 
-def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> tuple[Wanted, Array]:
+def _wanted(
+    bodies: Bodies,
+    contacts: Contacts,
+    approach: Array,
+    dt: float,
+    rules: Rules,
+) -> tuple[Wanted, Array]:
     """What the impulses have to reach, a rebound or no more than the gap; and e."""
-    surfaces, of_a, of_b = bodies.surfaces, bodies.material[contacts.body_a], bodies.material[contacts.body_b]
+    surfaces, of_a, of_b = (
+        bodies.surfaces,
+        bodies.material[contacts.body_a],
+        bodies.material[contacts.body_b],
+    )
     restitution = surfaces.restitution[of_a, of_b]
-    rebound = np.where(approach > rules.rest_speed, restitution * approach, 0.0)
+    rebound = np.where(
+        approach > rules.rest_speed, restitution * approach, 0.0
+    )
     wanted = Wanted(
-        speed=np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
+        speed=np.where(
+            rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt
+        ),
         least=np.zeros(len(rebound)),
         static_friction=surfaces.static_friction[of_a, of_b],
         kinetic_friction=surfaces.kinetic_friction[of_a, of_b],
@@ -116,15 +175,38 @@ def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rule
 
 
 def _step_to_each_impact(
-    bodies: Bodies, state: State, acceleration: Array, angular_acceleration: Array, dt: float, rules: Rules
+    bodies: Bodies,
+    state: State,
+    acceleration: Array,
+    angular_acceleration: Array,
+    dt: float,
+    rules: Rules,
 ) -> tuple[State, Memory, Contacts]:
     """One step with each impact at its instant; it leaves no impulses to begin with."""
-    after, _ = step_in_time_order(bodies, state, acceleration, angular_acceleration, dt, rules)
+    after, _ = step_in_time_order(
+        bodies, state, acceleration, angular_acceleration, dt, rules
+    )
     contacts, groups = _grouped_contacts(bodies, after, rules)
     inverse_inertia = world_inverse_inertia(bodies.moments, after.orientation)
-    rows = contact_rows(contacts, after.position, bodies.inverse_mass, inverse_inertia)
-    push = pushed_apart(rows, groups, contacts.separation, after.velocity, after.angular_velocity, 0.0, rules)
-    return moved(bodies, after, after.velocity, after.angular_velocity, push, 0.0), NOTHING, contacts
+    rows = contact_rows(
+        contacts, after.position, bodies.inverse_mass, inverse_inertia
+    )
+    push = pushed_apart(
+        rows,
+        groups,
+        contacts.separation,
+        after.velocity,
+        after.angular_velocity,
+        0.0,
+        rules,
+    )
+    return (
+        moved_on(
+            bodies, after, after.velocity, after.angular_velocity, push, 0.0
+        ),
+        NOTHING,
+        contacts,
+    )
 
 
 def _step_with_sleepers(
@@ -142,15 +224,24 @@ def _step_with_sleepers(
     A struck sleeper wakes with all that lie against it, and the step is taken again:
     what it receives, it has to pass on.
     """
-    awake_rules, fast = rules._replace(sleep_speed=0.0), is_awake(bodies, state, rules)
+    awake_rules, fast = (
+        rules._replace(sleep_speed=0.0),
+        is_awake(bodies, state, rules),
+    )
     still = np.where(fast, 0.0, np.broadcast_to(memory.still, fast.shape))
     while True:
         asleep = still >= rules.sleep_after
         lying = with_sleepers(bodies, state, asleep)
-        after, left, contacts = step_world(*lying, acceleration, dt, awake_rules, memory, force, torque)
+        after, left, contacts = advance_world(
+            *lying, acceleration, dt, awake_rules, memory, force, torque
+        )
         woken = with_neighbours(fast, contacts) & asleep
         if not np.any(woken):
             break
         fast, still = fast | woken, np.where(woken, 0.0, still)
     restless = with_neighbours(is_fast(bodies, after, rules), contacts)
-    return after, left._replace(still=np.where(restless, 0.0, still + dt)), contacts
+    return (
+        after,
+        left._replace(still=np.where(restless, 0.0, still + dt)),
+        contacts,
+    )

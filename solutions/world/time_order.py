@@ -23,8 +23,15 @@ from solutions.impulse import (
     world_inverse_inertia,
 )
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts, collect_contacts
-from solutions.world.flights import TOUCH, backed_up, flown, held, reach, until_next
+from solutions.world.contacts import Contacts, find_contacts
+from solutions.world.flights import (
+    TOUCH,
+    backed_up,
+    flown,
+    held,
+    reach,
+    until_next,
+)
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules
 
@@ -38,7 +45,12 @@ IMPULSES: dict[str, Callable[..., Array]] = {
 
 
 def step_in_time_order(
-    bodies: Bodies, state: State, acceleration: Array, angular_acceleration: Array, dt: float, rules: Rules
+    bodies: Bodies,
+    state: State,
+    acceleration: Array,
+    angular_acceleration: Array,
+    dt: float,
+    rules: Rules,
 ) -> tuple[State, int]:
     """One step in which the impacts happen one after another, each at its instant.
 
@@ -97,24 +109,54 @@ def step_in_time_order(
         last = look == rules.looks
 
         # What is near, and what of it touches, rests or strikes
-        near = collect_contacts(bodies, state, reach(bodies, state, acceleration, left[clock]))
-        rows = contact_rows(near, state.position, bodies.inverse_mass, _inverse_inertia(bodies, state))
-        apart, of = speeds(rows, state.velocity, state.angular_velocity)[:, 0], clock[near.body_a]
+        near = find_contacts(
+            bodies, state, reach(bodies, state, acceleration, left[clock])
+        )
+        rows = contact_rows(
+            near,
+            state.position,
+            bodies.inverse_mass,
+            _inverse_inertia(bodies, state),
+        )
+        apart, of = (
+            speeds(rows, state.velocity, state.angular_velocity)[:, 0],
+            clock[near.body_a],
+        )
         touching = near.separation <= TOUCH
-        slow = (near.separation <= rules.margin) & (np.abs(apart) <= rules.rest_speed)
+        slow = (near.separation <= rules.margin) & (
+            np.abs(apart) <= rules.rest_speed
+        )
         resting = slow | touching & last
-        striking = np.flatnonzero(touching & (apart < -rules.rest_speed) & ~resting & (left[of] > 0))
+        striking = np.flatnonzero(
+            touching & (apart < -rules.rest_speed) & ~resting & (left[of] > 0)
+        )
 
         # Impacts, one in each group
         first = striking[np.unique(of[striking], return_index=True)[1]]
-        state, impacts = _struck(bodies, state, near, first, rules.law), impacts + len(first)
+        state, impacts = (
+            _struck(bodies, state, near, first, rules.law),
+            impacts + len(first),
+        )
 
         # Flights of all other groups
         time = left.copy()
         time[of[first]] = 0.0
         flies = time[of] > 0
-        kept, watched = np.flatnonzero(resting & flies), np.flatnonzero(~resting & flies)
-        flight = held(bodies, state, near, rows, kept, acceleration, angular_acceleration, left[clock], rules)
+        kept, watched = (
+            np.flatnonzero(resting & flies),
+            np.flatnonzero(~resting & flies),
+        )
+        flight = held(
+            bodies,
+            state,
+            near,
+            rows,
+            kept,
+            acceleration,
+            angular_acceleration,
+            left[clock],
+            rules,
+        )
         if not last:
             time = until_next(near, rows, watched, flight, clock, time)
             time = backed_up(bodies, state, near, resting, flight, clock, time)
@@ -122,7 +164,9 @@ def step_in_time_order(
     return state, impacts
 
 
-def _struck(bodies: Bodies, state: State, near: Contacts, first: Integers, law: str) -> State:
+def _struck(
+    bodies: Bodies, state: State, near: Contacts, first: Integers, law: str
+) -> State:
     """The world after an impact at each of these contacts; no two share a body."""
     if not len(first):
         return state
@@ -139,13 +183,25 @@ def _struck(bodies: Bodies, state: State, near: Contacts, first: Integers, law: 
         for each in (a, b)
     )
     of_a, of_b = bodies.material[a], bodies.material[b]
-    restitution, friction = bodies.surfaces.restitution[of_a, of_b], bodies.surfaces.kinetic_friction[of_a, of_b]
+    restitution, friction = (
+        bodies.surfaces.restitution[of_a, of_b],
+        bodies.surfaces.kinetic_friction[of_a, of_b],
+    )
     if not np.any(friction):
         after = collide(body_a, body_b, normal, restitution)
     else:
-        u = relative_velocity(point_velocity(*body_a[:3]), point_velocity(*body_b[:3]))
-        k_a, k_b = (point_inverse_mass(each[3], each[4], each[2]) for each in (body_a, body_b))
-        after = apply_impulse(body_a, body_b, IMPULSES[law](u, normal, k_a + k_b, restitution, friction))
+        u = relative_velocity(
+            point_velocity(*body_a[:3]), point_velocity(*body_b[:3])
+        )
+        k_a, k_b = (
+            point_inverse_mass(each[3], each[4], each[2])
+            for each in (body_a, body_b)
+        )
+        after = apply_impulse(
+            body_a,
+            body_b,
+            IMPULSES[law](u, normal, k_a + k_b, restitution, friction),
+        )
     velocity, spin = state.velocity.copy(), state.angular_velocity.copy()
     velocity[a], spin[a], velocity[b], spin[b] = after
     return state._replace(velocity=velocity, angular_velocity=spin)

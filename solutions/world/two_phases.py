@@ -56,7 +56,8 @@ def solve_in_two_phases(
     it. So a drop leaves the floor at e (v + g Δt), where Newton's law gives e v.
     """
     stopped = wanted._replace(
-        speed=np.where(wanted.rebounds, 0.0, wanted.speed), rebounds=np.zeros_like(wanted.rebounds)
+        speed=np.where(wanted.rebounds, 0.0, wanted.speed),
+        rebounds=np.zeros_like(wanted.rebounds),
     )
     velocity, angular_velocity, impulse = solve(stopped, start)
     if not np.any(wanted.rebounds):

@@ -37,10 +37,18 @@ def volume(shape: Shape) -> float:
     if kind == "sphere":
         return 4 / 3 * np.pi * length("radius", rest[0]) ** 3
     if kind == "capsule":
-        radius, half_length = length("radius", rest[0]), length("half_length", rest[1])
+        radius, half_length = (
+            length("radius", rest[0]),
+            length("half_length", rest[1]),
+        )
         return volume(("sphere", radius)) + np.pi * radius**2 * 2 * half_length
     if kind == "box":
-        return float(8 * np.prod(finite("half_extents", not_negative("half_extents", rest[0]))))
+        return float(
+            8
+            * np.prod(
+                finite("half_extents", not_negative("half_extents", rest[0]))
+            )
+        )
     if kind == "polyhedron":
         return float(np.sum(tetrahedra(*rest)[0]))
     if kind == "half-space":
@@ -51,7 +59,9 @@ def volume(shape: Shape) -> float:
     raise ValueError(f"the kind of a shape must be {kinds}, not {kind!r}")
 
 
-def tetrahedra(vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> tuple[Array, Array, Array]:
+def tetrahedra(
+    vertices: ArrayLike, faces: Sequence[Sequence[int]]
+) -> tuple[Array, Array, Array]:
     """A polyhedron cut into tetrahedra, all with a tip at the middle of its vertices.
 
     Parameters
@@ -77,7 +87,11 @@ def tetrahedra(vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> tuple[Arr
     A face with the corners 0, 1, 2, 3 is cut into the triangles 0 1 2 and 0 2 3. Each
     triangle a, b, c makes a tetrahedron with the tip, whose volume is a·(b × c)/6.
     """
-    triangles = [(face[0], *side) for face in faces for side in itertools.pairwise(face[1:])]
+    triangles = [
+        (face[0], *side)
+        for face in faces
+        for side in itertools.pairwise(face[1:])
+    ]
     v, f = checked_mesh(vertices, triangles)
     middle = v.mean(axis=0)
     corners = (v - middle)[f]

@@ -20,7 +20,7 @@ from solutions.impulse import sphere_inertia
 from solutions.world.bodies import State, make_bodies, make_state
 from solutions.world.memory import NOTHING, Memory
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 BALLS, RADIUS, MASS = 666, 0.1, 1.0
 SIDE = 2.5
@@ -131,7 +131,7 @@ def by_hand(pile: Pile) -> World:
     start = make_state(*(np.concatenate(both) for both in zip((walls, upright, none, none), pile, strict=True)))
 
     def step(state: tuple[State, Memory]) -> tuple[State, Memory]:
-        after, memory, _ = step_world(bodies, state[0], (0, 0, -GRAVITY), DT, BY_HAND, state[1])
+        after, memory, _ = advance_world(bodies, state[0], (0, 0, -GRAVITY), DT, BY_HAND, state[1])
         return after, memory
 
     def read(state: tuple[State, Memory]) -> Pile:

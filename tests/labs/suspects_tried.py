@@ -29,6 +29,9 @@ BANK_ENTRY = {
     ("avoidance", "ferries"): "nearest_approach/in the past",
     ("avoidance", "lighthouse"): "repelling_force/size of the separation",
     ("avoidance", "balloon"): "tangent_point/horizontal alone",
+    ("world", "crane"): "solve_by_sweeps/change clamped",
+    ("world", "wagons"): "propagate_impacts/one pass",
+    ("world", "satellite"): "rotate_by_momentum/spin kept",
 }
 SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 3], [3, 0]]
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -64,6 +67,9 @@ EXPOSING = {
     ("avoidance", "ferries"): ([3.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], 1.0, 1.0),
     ("avoidance", "lighthouse"): (-1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
     ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [5.0, 0.0, 0.0], 3.0),
+    ("world", "crane"): ([[2.0, 1.0], [1.0, 2.0]], [-4.0, -4.0], 9),
+    ("world", "wagons"): ([2.0, 0.0, 0.0], [1.0, 1.0, 9.0], 0.5),
+    ("world", "satellite"): ([1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 3.0], 0.25),
 }
 HARMLESS = {
     ("detection", "distance"): ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
@@ -97,4 +103,7 @@ HARMLESS = {
     ("avoidance", "ferries"): ([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [-1.0, 0.0, 0.0], 1.0, 0.5),
     ("avoidance", "lighthouse"): (1.0, [0.0, 0.0, 1.0], 8.0, 2.0),
     ("avoidance", "balloon"): ([0.0, 0.0, 0.0], [1.0, -0.5, 0.0], [5.0, 0.0, 0.0], 3.0),
+    ("world", "crane"): ([[2.0, 1.0], [1.0, 2.0]], [-4.0, -4.0], 1),
+    ("world", "wagons"): ([2.0, 0.0, 0.0], [1.0, 1.0, 1.0], 1.0),
+    ("world", "satellite"): ([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1.0, 2.0, 3.0], 0.25),
 }

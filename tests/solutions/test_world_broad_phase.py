@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solutions.world.broad_phase import FARTHEST, FEW, candidate_pairs
+from solutions.world.broad_phase import FARTHEST, FEW, pairs_in_grid
 
 INFINITE = math.inf
 # Sums of numbers with few digits are exact, so that many boxes of the examples touch.
@@ -45,7 +45,7 @@ def test_the_grid_finds_what_a_comparison_of_all_boxes_finds(boxes, crowd):
     rows = rows.reshape(-1, 7)
     lower, upper, group = rows[:, :3], rows[:, :3] + rows[:, 3:6], rows[:, 6].astype(int)
     for labels in (None, group):
-        assert np.array_equal(candidate_pairs(lower, upper, labels), all_with_all(lower, upper, labels))
+        assert np.array_equal(pairs_in_grid(lower, upper, labels), all_with_all(lower, upper, labels))
 
 
 @pytest.mark.parametrize("spread", [0.0, 0.5, 1.5])
@@ -57,7 +57,7 @@ def test_boxes_of_many_sizes_between_planes_meet_all_their_partners(spread):
     above[0, 2] = above[1, 0] = above[2, 1] = 0.1
     below[3, 0], below[4, 1] = 2.9, 1.9
     lower, upper = np.vstack([below, lower]), np.vstack([above, upper])
-    pairs = candidate_pairs(lower, upper)
+    pairs = pairs_in_grid(lower, upper)
     assert len(pairs) > 300
     assert np.array_equal(pairs, all_with_all(lower, upper))
 
@@ -68,8 +68,8 @@ def test_boxes_that_touch_overlap_and_by_a_last_digit_less_they_do_not():
     lower, upper = 0.1 * corner, 0.1 * (corner + 1)
     apart = np.abs(corner[:, None] - corner).max(axis=-1)
     touching = np.argwhere(np.triu(apart <= 1, 1))
-    assert np.array_equal(candidate_pairs(lower, upper), touching)
-    assert not len(candidate_pairs(lower, np.nextafter(upper, -INFINITE)))
+    assert np.array_equal(pairs_in_grid(lower, upper), touching)
+    assert not len(pairs_in_grid(lower, np.nextafter(upper, -INFINITE)))
 
 
 def test_boxes_that_touch_across_a_rounded_column_are_found():
@@ -80,7 +80,7 @@ def test_boxes_that_touch_across_a_rounded_column_are_found():
     upper[2:, 2] = lower[2:, 2] + 0.5
     lower[:2, 0], upper[:2, 0] = (least, width), (width, 1.5 * width)
     assert math.floor(width / width) - math.floor(least / width) == 2
-    assert candidate_pairs(lower, upper).tolist() == [[0, 1]]
+    assert pairs_in_grid(lower, upper).tolist() == [[0, 1]]
 
 
 @pytest.mark.parametrize("far", [1e3, 1e7, 1e17, 1e300])
@@ -90,7 +90,7 @@ def test_one_box_far_away_neither_hides_pairs_nor_makes_others(far):
     expected = all_with_all(lower, upper)
     lower[77], upper[77] = (far, -far, far), (far, -far, far)
     pairs = expected[~np.any(expected == 77, axis=1)]
-    assert np.array_equal(candidate_pairs(lower, upper), pairs)
+    assert np.array_equal(pairs_in_grid(lower, upper), pairs)
 
 
 def test_two_heaps_beyond_the_last_column_are_searched_all_the_same():
@@ -98,7 +98,7 @@ def test_two_heaps_beyond_the_last_column_are_searched_all_the_same():
     rng = np.random.default_rng(3)
     lower, upper = cubes(rng, 150, 1.0, 0.2)
     shift = np.repeat([[-4.0, 0, 0], [0, 0, 0], [0, 5, 1]], 50, axis=0) * FARTHEST
-    assert np.array_equal(candidate_pairs(lower + shift, upper + shift), all_with_all(lower + shift, upper + shift))
+    assert np.array_equal(pairs_in_grid(lower + shift, upper + shift), all_with_all(lower + shift, upper + shift))
 
 
 def test_each_scene_of_an_ensemble_finds_what_it_finds_alone():
@@ -110,12 +110,12 @@ def test_each_scene_of_an_ensemble_finds_what_it_finds_alone():
     lower[first], upper[first] = -INFINITE, (INFINITE, INFINITE, 0.1)
     mixed = rng.permutation(len(group))
     lower, upper, group = lower[mixed], upper[mixed], group[mixed]
-    alone = [members[candidate_pairs(lower[members], upper[members])]
+    alone = [members[pairs_in_grid(lower[members], upper[members])]
              for members in (np.flatnonzero(group == each) for each in np.unique(group))]  # fmt: skip
     together = np.concatenate(alone)
     together = together[np.lexsort(together.T[::-1])]
     assert len(together) > 100
-    assert np.array_equal(candidate_pairs(lower, upper, group), together)
+    assert np.array_equal(pairs_in_grid(lower, upper, group), together)
 
 
 def test_boxes_in_one_place_are_all_pairs():
@@ -123,14 +123,14 @@ def test_boxes_in_one_place_are_all_pairs():
     every = np.argwhere(np.triu(np.ones((count, count)), 1))
     for edge in (0.0, 0.3, 1e200):
         lower = np.tile([0.1, -0.2, 0.3], (count, 1))
-        assert np.array_equal(candidate_pairs(lower, lower + edge), every)
+        assert np.array_equal(pairs_in_grid(lower, lower + edge), every)
     whole = np.full((count, 3), INFINITE)
-    assert np.array_equal(candidate_pairs(-whole, whole), every)
+    assert np.array_equal(pairs_in_grid(-whole, whole), every)
 
 
 def test_no_box_and_a_single_box_have_no_pairs():
     for count in (0, 1):
-        pairs = candidate_pairs(np.zeros((count, 3)), np.ones((count, 3)), np.zeros(count, dtype=int))
+        pairs = pairs_in_grid(np.zeros((count, 3)), np.ones((count, 3)), np.zeros(count, dtype=int))
         assert (pairs.shape, pairs.dtype) == ((0, 2), np.int64)
 
 
@@ -140,7 +140,7 @@ def test_a_crowd_is_searched_without_a_look_at_all_pairs():
     lower = np.full((count, 3), 1e9)
     lower[1:, 1] += np.random.default_rng(5).permutation(count - 1)
     lower[0] = 1e15
-    pairs = candidate_pairs(lower, lower + 1)
+    pairs = pairs_in_grid(lower, lower + 1)
     assert np.all(np.abs(np.diff(lower[pairs, 1], axis=1)) == 1)
     assert len(pairs) == count - 2
 
@@ -160,4 +160,4 @@ def test_a_crowd_is_searched_without_a_look_at_all_pairs():
 )
 def test_corners_that_make_no_box_are_refused(lower, upper, group, says):
     with pytest.raises(ValueError, match=says):
-        candidate_pairs(lower, upper, group)
+        pairs_in_grid(lower, upper, group)

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from solutions.world import contact_jacobian, inverse_mass_matrix, resting_problem, solve_by_sweeps
 from solutions.world.bodies import make_bodies, make_state
-from solutions.world.contacts import collect_contacts
+from solutions.world.contacts import find_contacts
 from solutions.world.rows import contact_rows
 from solutions.world.rules import LAWS, Rules
 from solutions.world.simultaneous import islands
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 
 def random_heap(seed, count=4, friction=True):
@@ -35,7 +35,7 @@ def random_heap(seed, count=4, friction=True):
 
 def test_simultaneous_impulses_solve_the_problem_of_resting_contacts():
     bodies, state = random_heap(4, count=6, friction=False)
-    contacts = collect_contacts(bodies, state, 1e-9)
+    contacts = find_contacts(bodies, state, 1e-9)
     arms = [contacts.point - state.position[each] for each in (contacts.body_a, contacts.body_b)]
     count = len(bodies.inverse_mass)
     jacobian = contact_jacobian(contacts.body_a, contacts.body_b, contacts.normal, *arms, count)
@@ -60,7 +60,7 @@ def test_a_thin_sheet_slides_with_coulombs_friction_all_at_once():
     bodies = make_bodies(shapes, [1.0, np.inf], moments, restitution=0.2, friction=0.5)
     state = make_state([(0.1, 0.0, half_thickness), (0, 0, 0)], velocity=[(0.3, 0.1, 0.0), (0, 0, 0)])
     rules = Rules(response="simultaneous", law="newton", slop=1.0)
-    after, memory, _ = step_world(bodies, state, (0.0, 0.0, -G), 1 / 120, rules)
+    after, memory, _ = advance_world(bodies, state, (0.0, 0.0, -G), 1 / 120, rules)
     assert after.velocity[0, 2] == pytest.approx(0, abs=1e-7)  # m/s; what counts as rounding in Lemke's method
     # A polygon of 8 directions lies between the circle of Coulomb's cone and one that is smaller by cos 22.5°.
     push = np.hypot(*memory.impulse.sum(axis=0)[:2])
@@ -72,7 +72,7 @@ def test_contacts_of_islands_share_no_body_that_moves():
     place = [(0, 0, 0.1), (0.2, 0, 0.1), (0.4, 0, 0.1), (5, 0, 0.1), (9, 0, 0.1), (9.2, 0, 0.1), (0, 0, 0)]
     bodies = make_bodies([*[("sphere", 0.1)] * 6, FLOOR], [1.0] * 6 + [np.inf], [[0.004] * 3] * 6 + [[np.inf] * 3])
     state = make_state(place)
-    contacts = collect_contacts(bodies, state, 1e-6)
+    contacts = find_contacts(bodies, state, 1e-6)
     inertia = np.where(np.isinf(bodies.moments), 0, 1 / bodies.moments)[:, :, None] * np.eye(3)
     found = islands(contact_rows(contacts, state.position, bodies.inverse_mass, inertia), 7)
     pairs = np.stack([contacts.body_a, contacts.body_b])
@@ -97,7 +97,7 @@ def test_polygon_of_eight_directions_is_weaker_between_two(response, share):
     for angle, expected in ((0.0, 1.0), (np.pi / 8, share)):
         start = [(3 * np.cos(angle), 3 * np.sin(angle), 0), (0, 0, 0)]
         state = make_state([(0, 0, 0.1), (0, 0, 0)], velocity=start)
-        after, _, _ = step_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response))
+        after, _, _ = advance_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response))
         lost = (state.velocity[0] - after.velocity[0]) @ start[0] / 3
         assert lost == pytest.approx(0.4 * G * 0.01 * expected, rel=1e-9)
 
@@ -110,7 +110,7 @@ def test_slip_uses_kinetic_friction_and_rest_the_static_one(response):
     dt, angle = 0.01, np.radians(20)
     for start, gained in ((0.0, 0.0), (1.0, dt * G * (np.sin(angle) - 0.2 * np.cos(angle)))):
         state = make_state([0.1 * normal, (0, 0, 0)], velocity=[start * down, (0, 0, 0)])
-        after, _, _ = step_world(bodies, state, (0, 0, -G), dt, Rules(response=response, directions=64))
+        after, _, _ = advance_world(bodies, state, (0, 0, -G), dt, Rules(response=response, directions=64))
         # of 64 directions one lies near enough: 0.12 %
         assert after.velocity[0] @ down - start == pytest.approx(gained, abs=2e-3 * G * dt)
 
@@ -145,7 +145,7 @@ def test_ball_in_a_groove_presses_on_both_sides_with_the_same_force(response):
     corner = np.linalg.solve([sides[0], (0, 1, 0), sides[1]], [0.1, 0, 0.1])
     state = make_state([corner, (0, 0, 0), (0, 0, 0)])
     rules = Rules(response=response, sweeps=500, tolerance=0.0)
-    _, memory, _ = step_world(bodies, state, (0, 0, -G), 0.01, rules)
+    _, memory, _ = advance_world(bodies, state, (0, 0, -G), 0.01, rules)
     press = np.linalg.norm(memory.impulse, axis=-1) / 0.01
     weight = 2 * G / np.sin(np.radians(80))
     # the corner is placed to rounding, and a gap of 1e-17 counts with 1/Δt
@@ -163,7 +163,7 @@ def momenta(bodies, state, place):
 @pytest.mark.parametrize("response", list(LAWS))
 def test_free_balls_keep_momentum_and_angular_momentum(response, seed):
     bodies, state = random_heap(seed)
-    after, _, _ = step_world(bodies, state, (0, 0, 0), 1e-3, Rules(response=response, recovery=0.0))
+    after, _, _ = advance_world(bodies, state, (0, 0, 0), 1e-3, Rules(response=response, recovery=0.0))
     before = momenta(bodies, state, state.position)
     # Nothing is pushed apart. Impulses act where the bodies are before the step, in time order where they are then
     place = after.position if response == "in time order" else state.position
@@ -188,7 +188,7 @@ def test_energy_never_rises_in_time_order(law, seed):
     rules = Rules(response="in time order", law=law, rest_speed=1e-3, looks=60)
     for _ in range(3):
         before = energy(bodies, state)
-        state, _, _ = step_world(bodies, state, (0, 0, 0), 0.05, rules)
+        state, _, _ = advance_world(bodies, state, (0, 0, 0), 0.05, rules)
         assert energy(bodies, state) <= before * (1 + 1e-12)
 
 

@@ -7,11 +7,11 @@ import pytest
 
 from solutions.impulse import rotation_matrix
 from solutions.world.bodies import make_bodies, make_state
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.flights import TOUCH, TURN, Flight, backed_up, flown, reach, until_next
 from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 from solutions.world.time_order import step_in_time_order
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -95,7 +95,7 @@ def test_coefficients_in_time_order_are_those_of_the_two_materials():
         group=[0, 0, 1, 1, 2, 2],
     )
     state = make_state([(0, 0, 0), (0, 0, 0.1)] * count, velocity=[(0, 0, 0), (4, 3, -1)] * count)
-    after, _, _ = step_world(bodies, state, (0, 0, 0), 1e-9, Rules(response="in time order"))
+    after, _, _ = advance_world(bodies, state, (0, 0, 0), 1e-9, Rules(response="in time order"))
     for material in range(count):
         kept = 1 - mu[material, 3] * (1 + e[material, 3]) / 5  # of a slip of 5 m/s
         # a few roundings
@@ -119,7 +119,7 @@ def test_a_torque_rolls_a_ball_with_what_its_contact_point_feels(response):
     # About the point that touches, I + m r² = 7/5 m r²
     bodies = make_bodies([("sphere", 0.1), ("half-space", UP)], [2.0, np.inf], 0.008 * np.ones(3), 0.0, 0.5)
     state, dt, torque = make_state([(0, 0, 0.1), (0, 0, 0)]), 0.02, np.array([0.03, -0.05, 0])
-    after, _, _ = step_world(
+    after, _, _ = advance_world(
         bodies, state, -9.81 * UP, dt, Rules(response=response, directions=64), torque=[torque, (0, 0, 0)]
     )
     spin = dt * torque / (7 / 5 * 2 * 0.1**2)
@@ -133,7 +133,7 @@ def test_a_slow_ball_that_is_held_comes_nearer_but_not_too_near():
     # Free, it would fall by 2 mm. Held by a constant force it gains gap/Δt, and so it goes half of its gap of 0.5 mm
     bodies = make_bodies([("sphere", 0.1), ("half-space", UP)], [2.0, np.inf], 0.008 * np.ones(3), 0.5)
     state, rules = make_state([(0, 0, 0.1005), (0, 0, 0)]), Rules(response="in time order")
-    after, *_ = step_world(bodies, state, -9.81 * UP, 0.02, rules)
+    after, *_ = advance_world(bodies, state, -9.81 * UP, 0.02, rules)
     assert after.position[0, 2] - 0.1 == pytest.approx(0.00025, abs=1e-12)
 
 
@@ -144,7 +144,7 @@ def test_balls_one_upon_another_are_held_in_time_order():
     start = make_state(heights[:, None] * UP)
     state, rules = start, Rules(response="in time order", sweeps=2000, tolerance=1e-13)
     for _ in range(2):
-        state, *_ = step_world(bodies, state, -9.81 * UP, 0.02, rules)
+        state, *_ = advance_world(bodies, state, -9.81 * UP, 0.02, rules)
     # without what holds them, they would fall by 8 mm
     np.testing.assert_allclose(state.position, start.position, atol=1e-9)
     np.testing.assert_allclose(state.velocity, 0, atol=1e-9)
@@ -164,7 +164,7 @@ def test_a_box_on_a_rough_slope_is_held_or_slides_in_time_order(speed):
     gained = dt * 9.81 * (np.sin(angle) - 0.2 * np.cos(angle)) if speed else 0.0
     place = state.position[0]
     for count in (1, 2):
-        state, *_ = step_world(bodies, state, -9.81 * UP, dt, rules)
+        state, *_ = advance_world(bodies, state, -9.81 * UP, dt, rules)
         place = place + dt * (speed + gained * (count - 0.5)) * down
         # the sweeps leave 1e-12 of the weight
         np.testing.assert_allclose(state.velocity[0], (speed + count * gained) * down, atol=1e-9)
@@ -179,7 +179,9 @@ def test_a_corner_that_slides_in_time_order_is_braked_against_its_slip():
         [("polyhedron", corners, faces), ("half-space", UP)], [2.0, np.inf], np.full(3, 1 / 6), 0.0, 0.3
     )
     state, dt = make_state([(0, 0, 0.3), (0, 0, 0)], velocity=[(2.0, 1.5, 0), (0, 0, 0)]), 1e-5
-    after, *_ = step_world(bodies, state, -9.81 * UP, dt, Rules(response="in time order", sweeps=500, tolerance=1e-13))
+    after, *_ = advance_world(
+        bodies, state, -9.81 * UP, dt, Rules(response="in time order", sweeps=500, tolerance=1e-13)
+    )
     force = 2.0 * ((after.velocity[0] - state.velocity[0]) / dt + 9.81 * UP)
     assert force[2] > 1
     # in such a step the slip changes by 1e-4 of itself
@@ -199,7 +201,7 @@ def test_a_flight_that_ends_in_an_overlap_is_backed_up_to_its_start():
     state, none = make_state(place), np.zeros((2 * count, 3))
     turning = none.copy()
     turning[:6:2, 2] = spin
-    flight, touching = Flight(none, turning, none, none), collect_contacts(bodies, state)
+    flight, touching = Flight(none, turning, none, none), find_contacts(bodies, state)
     assert touching.body_b.tolist() == [7]
     # What was near before is this contact, alone or after one that is gone; or only that one, and the overlap is new
     gone = Contacts(np.array([4]), np.array([5]), np.zeros((1, 3)), UP[None], np.ones(1), np.zeros(1, dtype=int))
@@ -216,7 +218,7 @@ def test_a_spike_that_grazes_the_floor_once_in_a_turn_is_met():
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
     bodies = make_bodies([("polyhedron", corners, faces), ("half-space", UP)], [1.0, np.inf], np.full(3, 0.1), 1.0)
     state = make_state([(0, 0, 0.49), (0, 0, 0)], angular_velocity=[(0, 0.8, 0), (0, 0, 0)])
-    after, *_ = step_world(bodies, state, (0, 0, 0), 7.5, Rules(response="in time order", rest_speed=1e-3))
+    after, *_ = advance_world(bodies, state, (0, 0, 0), 7.5, Rules(response="in time order", rest_speed=1e-3))
     arm = np.sqrt(0.5**2 - 0.49**2)
     impulse = 2 * 0.8 * arm / (1 + arm**2 / 0.1)
     # a touch of 1e-10 m, which moves the place of the tip by five times as much

@@ -19,7 +19,7 @@ from solutions.world.forces import (
     spring_forces,
     wind_forces,
 )
-from solutions.world.rotation import rotate_by_momentum, turned
+from solutions.world.rotation import turn_freely, turned
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 UPRIGHT = np.array([1.0, 0, 0, 0])
@@ -113,7 +113,7 @@ def test_a_body_tied_off_its_centre_swings_with_its_effective_mass():
         velocity = velocity + dt * force / mass
         spin = spin + dt * (world_inverse_inertia(moments, orientation) @ torque[..., None])[..., 0]
         position = position + dt * velocity
-        orientation, spin = rotate_by_momentum(orientation, spin, moments, dt)
+        orientation, spin = turn_freely(orientation, spin, moments, dt)
     expected = 1e-4 * np.cos(rate * dt * np.arange(count))
     assert stretch == pytest.approx(expected, abs=4e-6)  # Euler's step is ω dt/2 = 3 % of the amplitude off
 
@@ -168,7 +168,7 @@ def test_a_damped_pair_keeps_its_momenta_and_loses_what_its_damper_wastes():
         lengths.append(np.linalg.norm(np.subtract(*ends((position, orientation, velocity, spin), tie))))
         velocity, spin = push(0.5)
         position = position + dt * velocity
-        orientation, spin = rotate_by_momentum(orientation, spin, moments, dt)
+        orientation, spin = turn_freely(orientation, spin, moments, dt)
         velocity, spin = push(0.5)
     lengths.append(np.linalg.norm(np.subtract(*ends((position, orientation, velocity, spin), tie))))
     wasted = damping * np.sum(np.diff(lengths) ** 2) / dt  # the integral of c L̇², by midpoints

@@ -10,7 +10,7 @@ from solutions.world.contacts import Contacts
 from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
 from solutions.world.simultaneous import islands
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 G = 9.81
 
@@ -33,7 +33,7 @@ def test_four_places_hold_a_box_together_up_to_static_friction(response):
     dt, rules = 0.01, Rules(response=response, sweeps=400, tolerance=1e-10, directions=12)
     for ratio, holds in ((0.47, True), (0.53, False)):
         bodies, state, down, angle = on_slope(ratio, 0.5, 0.1)
-        after, _, _ = step_world(bodies, state, (0, 0, -G), dt, rules)
+        after, _, _ = advance_world(bodies, state, (0, 0, -G), dt, rules)
         gained = 0.0 if holds else dt * G * (np.sin(angle) - 0.1 * np.cos(angle))
         # Between two of twelve directions 1 − cos(π/12), 3.4 % of friction is lost
         limit = 1e-8 if response == "sequential" else 0.034 * 0.1 * dt * G
@@ -47,7 +47,7 @@ def test_a_rough_floor_brakes_what_slides_along_a_smooth_wall(response):
     friction = np.array([[0, 0.4, 0], [0.4, 0, 0], [0, 0, 0]])
     bodies = make_bodies(shapes, [1.0, np.inf, np.inf], np.full(3, np.inf), 0.0, friction, material=[0, 1, 2])
     state = make_state([(0.1, 0, 0.1), (0, 0, 0), (0, 0, 0)], velocity=[(0, 3, 0), (0, 0, 0), (0, 0, 0)])
-    after, _, _ = step_world(bodies, state, (-2.0, 0, -G), 0.01, Rules(response=response))
+    after, _, _ = advance_world(bodies, state, (-2.0, 0, -G), 0.01, Rules(response=response))
     # one of the eight directions is along y; sweeps end at changes of 1e-6
     assert after.velocity[0] == pytest.approx(np.array([0, 3 - 0.4 * G * 0.01, 0]), abs=2e-6)
 
@@ -60,7 +60,7 @@ def test_what_lies_on_a_braking_plate_is_held_by_static_friction(response):
     static = np.array([[0, 0.4, 0], [0.4, 0, 0.5], [0, 0.5, 0]])
     bodies = make_bodies(shapes, [np.inf, 2.0, 1.0], np.full(3, np.inf), 0.0, kinetic, static, material=[0, 1, 2])
     state = make_state([(0, 0, 0), (0, 0, 0.1), (0.2, -0.1, 0.3)], velocity=[(0, 0, 0), (0, 1, 0), (0, 1, 0)])
-    after, _, _ = step_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, sweeps=500, tolerance=1e-12))
+    after, _, _ = advance_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, sweeps=500, tolerance=1e-12))
     # one of the eight directions is along y
     np.testing.assert_allclose(after.velocity[1:], [(0, 1 - 0.3 * G * 0.01, 0)] * 2, atol=1e-9)
 

@@ -13,7 +13,7 @@ from solutions.impulse import rotation_matrix, world_inverse_inertia
 from solutions.world.rotation import quaternion_product
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 TOUCHING = Rules(rest_speed=0.0, recovery=0.0, sweeps=500, tolerance=1e-14)
 """One step from where bodies touch: any approach rebounds, and nothing is moved out of a rounding of overlap."""
@@ -44,7 +44,7 @@ def test_a_rod_that_falls_across_a_peg_leaves_it_as_the_closed_form(peg):
     rebound = np.zeros((4, 4))
     rebound[3, :3] = rebound[:3, 3] = e
     bodies, start = scene(things, material=[0, 3, 1, 3, 2, 3], restitution=rebound)
-    end, _, _ = step_world(bodies, start, FREE, 1e-4, TOUCHING)
+    end, _, _ = advance_world(bodies, start, FREE, 1e-4, TOUCHING)
     for group, (arm, each) in enumerate(zip(arms, e, strict=True)):
         along = rotation_matrix(start.orientation[2 * group])
         impulse = impact_impulse(speed, each, rod_softness(mass, arm, half[0], half[2]))
@@ -65,7 +65,7 @@ def test_balls_part_off_axis_as_the_closed_form_and_equal_ones_at_90_degrees():
         things.append(Thing(("sphere", radii[1]), mass, tuple(shift), group=group))
     material = np.repeat([0, 0, 0, 0, 1], 2)
     bodies, start = scene(things, material=material, restitution=[[1.0, 0.0], [0.0, 0.4]])
-    end, _, _ = step_world(bodies, start, FREE, 1e-4, TOUCHING)
+    end, _, _ = advance_world(bodies, start, FREE, 1e-4, TOUCHING)
     for group, offset in enumerate(offsets):
         plane = rotation_matrix(turn((3, 1, -group), 1.0 + group))[:, :2]
         expected = balls_after(3.0, offset, e[group], 0.7, masses[group])
@@ -89,7 +89,7 @@ def test_a_spinning_ball_strikes_a_sloping_floor_as_the_closed_form():
     friction = np.zeros((4, 4))
     friction[3, :3] = friction[:3, 3] = frictions
     bodies, start = scene(things, material=[3, 0, 1, 2], friction=friction, restitution=e)
-    end, _, _ = step_world(bodies, start, FREE, 1e-4, TOUCHING)
+    end, _, _ = advance_world(bodies, start, FREE, 1e-4, TOUCHING)
     for ball, mu in enumerate(frictions, start=1):
         after, surface = spinning_impact(speed, radius * spin, e, mu)
         np.testing.assert_allclose(end.velocity[ball], e * speed * normal + after * along, atol=ROUNDING)
@@ -127,7 +127,7 @@ def test_a_sliding_rod_is_pressed_by_the_floor_as_newton_and_coulomb_say(frictio
     lean, dt = np.arctan(2.0), 1e-4
     things, ahead, _ = rod_on_floor(lean, 2.0, 0.0)
     bodies, start = scene(things, friction=friction)
-    _, memory, _ = step_world(bodies, start, (0, 0, -GRAVITY), dt)
+    _, memory, _ = advance_world(bodies, start, (0, 0, -GRAVITY), dt)
     force = memory.impulse[0] / dt
     pressed = GRAVITY / press(lean, friction)
     np.testing.assert_allclose(
@@ -156,7 +156,7 @@ def test_painleves_rod_jams_by_an_impact_without_a_collision(dt, spin):
     assert lifts > 0 if spin else lifts < 0
     things, ahead, arm = rod_on_floor(lean, slip, spin)
     bodies, start = scene(things, friction=friction)
-    end, memory, _ = step_world(bodies, start, (0, 0, -GRAVITY), dt)
+    end, memory, _ = advance_world(bodies, start, (0, 0, -GRAVITY), dt)
     inertia = world_inverse_inertia(bodies.moments[1], start.orientation[1])
     softness = point_inverse_mass(1.0, inertia, arm)
     free = slip * ahead - GRAVITY * dt * np.array(FLOOR_NORMAL)
@@ -204,7 +204,7 @@ def test_the_world_parts_from_the_laws_of_topics_where_a_rods_slip_turns():
             along, pressed = planar_impact(contact, e, law)
             after[law, slip] = (*contact.after(along, pressed), contact.energy_gained(along, pressed))
         for law in (DISSIPATIVE, NEWTON, POISSON):
-            _, memory, _ = step_world(bodies, start, FREE, 1e-5, TOUCHING._replace(law=law))
+            _, memory, _ = advance_world(bodies, start, FREE, 1e-5, TOUCHING._replace(law=law))
             along, pressed = memory.impulse[0] @ ahead, memory.impulse[0, 2]
             after["world, " + law, slip] = (*contact.after(along, pressed), contact.energy_gained(along, pressed))
     for law in (DISSIPATIVE, NEWTON):
@@ -226,6 +226,6 @@ def test_an_approach_rebounds_only_above_the_rest_speed(response):
     for group, speed in enumerate(speeds):
         things += [Thing(floor, group=group), Thing(ball, 2.0, (0.3, 0, 0.1), velocity=(0, 0, -speed), group=group)]
     bodies, start = scene(things, restitution=0.6)
-    after, _, _ = step_world(bodies, start, FREE, 1e-6, Rules(response=response, rest_speed=0.1))
+    after, _, _ = advance_world(bodies, start, FREE, 1e-6, Rules(response=response, rest_speed=0.1))
     # rounding; a gap of 1e-17 m counts with 1/Δt
     np.testing.assert_allclose(after.velocity[1::2, 2], [0.0, 0.6 * 0.101, 0.05], atol=1e-10)

@@ -8,7 +8,7 @@ import pytest
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 INF, NAN = np.inf, np.nan
 FLOOR = ("half-space", (0.0, 0.0, 1.0))
@@ -109,7 +109,7 @@ def test_a_state_that_is_not_that_of_n_bodies_is_refused(state, says):
 def test_a_step_that_no_world_can_take_is_refused(given, says):
     usual = {"bodies": two(), "state": make_state([(0, 0, 1), (1, 2, 3)]), "acceleration": DOWN, "dt": 0.01}
     with pytest.raises(ValueError, match=says):
-        step_world(**{**usual, **given})
+        advance_world(**{**usual, **given})
 
 
 @pytest.mark.parametrize(("given", "says"), [({"steps": -1}, "steps .* from 0, not -1"), ({"every": 0}, "not 0")])

@@ -10,13 +10,13 @@ from world_scenes import DOWN, FLOOR, Thing, energy, momentum, scene, turn
 
 from solutions.impulse import rotation_matrix
 from solutions.world.bodies import State
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.rotation import quaternion_product
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
 from solutions.world.sequential import Wanted, in_groups, solve_sequentially
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 NO_WEIGHT = (0.0, 0.0, 0.0)
 
@@ -81,11 +81,11 @@ def test_free_bodies_of_all_shapes_keep_both_momenta(seed, restitution, friction
 @given(st.integers(0, 10_000), st.floats(0, 1), st.floats(0, 2))
 def test_one_contact_of_any_two_shapes_never_gains_energy(seed, restitution, friction):
     bodies, start = scene(crowd(seed, 60, 2), restitution=restitution, friction=friction)
-    contacts = collect_contacts(bodies, start)
+    contacts = find_contacts(bodies, start)
     single = np.flatnonzero(np.bincount(bodies.group[contacts.body_a], minlength=60) == 1)
     assert len(single) > 10
     # So short a step turns nothing, and the impact alone changes the energy.
-    end, _, _ = step_world(bodies, start, NO_WEIGHT, 1e-9, Rules(rest_speed=0.0, recovery=0.0, margin=0.0))
+    end, _, _ = advance_world(bodies, start, NO_WEIGHT, 1e-9, Rules(rest_speed=0.0, recovery=0.0, margin=0.0))
     of_group = [np.bincount(bodies.group, energy(bodies, state)) for state in (start, end)]
     assert np.all(of_group[1][single] <= of_group[0][single] * (1 + 1e-9))
     assert np.any(of_group[1][single] < of_group[0][single] * 0.999) or restitution > 0.99

@@ -7,7 +7,7 @@ import pytest
 
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 
 def struck(masses, restitution, response, steps=25):
@@ -19,7 +19,7 @@ def struck(masses, restitution, response, steps=25):
     state = make_state(place, velocity=[(10.0 if number == 0 else 0.0, 0, 0) for number in range(count)])
     memory, rules = (), Rules(margin=1e-9, slop=1e-6, sweeps=2000, tolerance=1e-10, response=response)
     for _ in range(steps):
-        state, *memory, _ = step_world(bodies, state, (0, 0, 0), 1e-3, rules, *memory)
+        state, *memory, _ = advance_world(bodies, state, (0, 0, 0), 1e-3, rules, *memory)
     return state.velocity[:, 0]
 
 

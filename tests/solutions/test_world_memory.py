@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from solutions.world.bodies import make_bodies, make_state
-from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.memory import Memory, remembered
 from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
 from solutions.world.sleeping import with_neighbours
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 G = 9.81
 DOWN = (0.0, 0.0, -G)
@@ -34,7 +34,7 @@ def test_no_two_contacts_of_a_heap_have_the_same_name():
     bodies = make_bodies([FLOOR, *[two] * 4], [np.inf, 1, 1, 1, 1], np.ones(3))
     place = [(0, 0, 0), (0, 0, 0.0999), (0.2, 0.1, 0.2997), (0, 0.5, 0.0999), (0.1, 0.45, 0.2997)]
     angle = np.array([0, 0, 0.1, 0.2, 0.3])
-    contacts = collect_contacts(
+    contacts = find_contacts(
         bodies, make_state(place, np.stack([np.cos(angle / 2), 0 * angle, 0 * angle, np.sin(angle / 2)], axis=-1))
     )
     assert len(contacts.key) > 50
@@ -73,14 +73,14 @@ def test_a_state_does_not_change_with_what_it_was_made_of():
 @pytest.mark.parametrize("response", ["sequential", "simultaneous"])
 def test_by_poissons_law_a_resting_ball_stays_while_another_rebounds(response):
     bodies, state = balls([(0, 0, 0.1), (1, 0, 0.1)], [(0, 0, 0), (0, 0, -2)], restitution=0.5)
-    after, _, _ = step_world(bodies, state, DOWN, 0.01, Rules(response=response, law="poisson"))
+    after, _, _ = advance_world(bodies, state, DOWN, 0.01, Rules(response=response, law="poisson"))
     # The weight of this step counts in the impulse that is given back; rounding
     np.testing.assert_allclose(after.velocity[1:, 2], [0, 0.5 * (2 + 0.01 * G)], atol=1e-14)
 
 
 def test_a_penalty_ball_slides_with_kinetic_friction():
     bodies, state = balls([(0, 0, 0.1 - G / 1e4)], [(3, 4, 0)], friction=0.2, static_friction=0.9)
-    after, _, _ = step_world(bodies, state, DOWN, 1e-3, Rules(response="penalty"))
+    after, _, _ = advance_world(bodies, state, DOWN, 1e-3, Rules(response="penalty"))
     # In its balance the spring carries the weight; the force along the surface has no time to change
     lost = 5 - np.linalg.norm(after.velocity[1, :2])
     assert lost == pytest.approx(0.2 * G * 1e-3, rel=1e-9)
@@ -93,7 +93,7 @@ def test_a_spin_counts_as_the_speed_of_the_surface_when_bodies_fall_asleep():
     memory: list = []
     rules = Rules(sleep_speed=0.02, sleep_after=0.05)
     for _ in range(8):
-        state, *memory, _ = step_world(bodies, state, (0, 0, 0), 0.01, rules, *memory)
+        state, *memory, _ = advance_world(bodies, state, (0, 0, 0), 0.01, rules, *memory)
     np.testing.assert_array_equal(state.angular_velocity, [(0, 0, 0), (0, 0, 0.25)])
 
 

@@ -13,7 +13,7 @@ from solutions.impulse import rotation_matrix
 from solutions.world.rotation import quaternion_product
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 # In the plane: pymunk's x and y are our x and z, and its angle is counted from x to z, against our turn about y.
 
@@ -59,7 +59,7 @@ def test_a_box_leaves_a_corners_impact_as_in_pymunk(friction):
     space.step(1e-7)  # it takes the first step to notice the contact
     bodies, start = scene([FLOOR, box], friction=friction, restitution=e)
     rules = Rules(rest_speed=0.0, recovery=0.0, sweeps=500, tolerance=1e-14, law="newton")
-    end, _, _ = step_world(bodies, start, (0, 0, 0), 1e-7, rules)
+    end, _, _ = advance_world(bodies, start, (0, 0, 0), 1e-7, rules)
     found = (end.velocity[1, 0], end.velocity[1, 2], -end.angular_velocity[1, 1])
     # Both move for a step of 1e-7 s; pymunk makes speeds of the overlap, too.
     assert found == pytest.approx((*theirs.velocity, theirs.angular_velocity), abs=1e-5)

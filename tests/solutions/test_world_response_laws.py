@@ -10,7 +10,7 @@ from balls_and_rods import EXACT, IMPULSES, ROD_SOFTNESS, G, drops, energy, once
 
 from solutions.friction import dissipative_impulse, friction_impulse, poisson_impulse, stronge_impulse
 from solutions.world.rules import LAWS, Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 LAW_IMPULSES = {
     "dissipative": dissipative_impulse,
@@ -73,7 +73,7 @@ def test_weight_of_the_step_rebounds_by_poissons_law_alone(response):
     bodies, state = drops([0.0], 0.5)
     state = state._replace(velocity=np.array([(0, 0, -2.0), (0, 0, 0)]))
     for law, speed in (("dissipative", 0.5 * 2.0), ("newton", 0.5 * 2.0), ("poisson", 0.5 * (2.0 + 0.01 * G))):
-        after, _, _ = step_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, law=law))
+        after, _, _ = advance_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, law=law))
         assert after.velocity[0, 2] == pytest.approx(speed, abs=1e-14)
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from oracles import oracle
 
 from solutions.impulse import rotation_matrix
-from solutions.world.rotation import quaternion_product, rotate_by_momentum, turned
+from solutions.world.rotation import quaternion_product, turn_freely, turned
 
 MOMENTS = np.array([1.0, 2.0, 3.0])
 TURNED = np.array([0.5, 0.1, -0.7, 0.5])  # of length 1
@@ -42,7 +42,7 @@ def run(orientation, spin, moments, dt, count):
     """All states from the start on, (count + 1, ..., 4) and (count + 1, ..., 3)."""
     states = [(orientation, spin)]
     for _ in range(count):
-        states.append(rotate_by_momentum(*states[-1], moments, dt))
+        states.append(turn_freely(*states[-1], moments, dt))
     return tuple(np.array(part) for part in zip(*states, strict=True))
 
 
@@ -217,7 +217,7 @@ def test_keeping_the_spin_instead_breaks_angular_momentum_by_63_percent():
 @pytest.mark.parametrize("moments", [(2.0, 2.0, 2.0), (np.inf, np.inf, np.inf), (np.inf, 1.0, np.inf), (0.0, 0.0, 0.0)])
 def test_a_ball_and_a_driven_body_keep_their_spin_to_the_last_bit(moments):
     spin = np.array([3.0, -40.0, 11.0])
-    orientation, after = rotate_by_momentum(TURNED, spin, moments, 0.3)  # two turns in one step
+    orientation, after = turn_freely(TURNED, spin, moments, 0.3)  # two turns in one step
     assert np.array_equal(after, spin)
     expected = oracle("scipy.spatial.transform").Rotation.from_rotvec(0.3 * spin) * rotation(TURNED)
     assert rotation(orientation).as_matrix() == pytest.approx(expected.as_matrix(), abs=1e-14)  # of 12 rad
@@ -250,9 +250,9 @@ def test_bodies_of_all_kinds_turn_together_as_each_does_alone():
     orientation, spin, dt = rng.normal(size=(2, 5, 4)), rng.normal(size=(5, 3)), np.array([[0.1], [-0.02]])
     orientation /= np.linalg.norm(orientation, axis=-1, keepdims=True)
     given_values = orientation.copy(), spin.copy()
-    together = rotate_by_momentum(orientation, spin, moments, dt)
+    together = turn_freely(orientation, spin, moments, dt)
     for row, body in np.ndindex(2, 5):
-        alone = rotate_by_momentum(orientation[row, body], spin[body], moments[body], dt[row, 0])
+        alone = turn_freely(orientation[row, body], spin[body], moments[body], dt[row, 0])
         for whole, one in zip(together, alone, strict=True):
             assert whole[row, body] == pytest.approx(one, abs=1e-15)  # sums in another order
     assert np.array_equal(orientation, given_values[0])
@@ -270,7 +270,7 @@ def test_what_cannot_be_turned_is_refused_by_name():
     for name, values in wrong.items():
         for value in values:
             with pytest.raises(ValueError, match=name):
-                rotate_by_momentum(**{**good, name: value})
+                turn_freely(**{**good, name: value})
     with pytest.raises(ValueError, match="rotation"):
         turned(TURNED, (0.0, np.nan, 0))
     with pytest.raises(ValueError, match="first"):

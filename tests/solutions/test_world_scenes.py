@@ -8,7 +8,7 @@ from world_scenes import DOWN, FLOOR, GRAVITY, Thing, energy, scene, turn
 
 from solutions.impulse import rotation_matrix
 from solutions.world.bodies import State
-from solutions.world.contacts import collect_contacts
+from solutions.world.contacts import find_contacts
 from solutions.world.rotation import quaternion_product
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
@@ -179,6 +179,6 @@ def test_a_pile_of_thirty_mixed_shapes_comes_to_rest():
     dropped = np.sum(energy(bodies, start, GRAVITY)) - np.sum(energy(bodies, end, GRAVITY)[-1])
     assert dropped > 500
     assert np.sum(energy(bodies, end)[-1]) < 1e-6 * dropped
-    contacts = collect_contacts(bodies, State(*(each[-1] for each in end)))
+    contacts = find_contacts(bodies, State(*(each[-1] for each in end)))
     assert len(contacts.key) > 60
     assert np.min(contacts.separation) > -1.5 * SLOP  # a fifth of what is deeper goes in each step

@@ -8,7 +8,7 @@ import pytest
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.memory import NOTHING
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 G = (0.0, 0.0, -9.81)
 SLEEPY = Rules(sleep_speed=0.02, sleep_after=0.1)
@@ -31,7 +31,7 @@ def test_a_stack_falls_asleep_and_a_blow_wakes_all_of_it():
     bodies, state = boxes([0.1, 0.3, 1.0], [[0, 0, 0], [0, 0, 0], [0, 0, 0]])
     memory, slept, woken = NOTHING, False, {}
     for count in range(110):
-        state, memory, contacts = step_world(bodies, state, G, 4e-3, SLEEPY, memory)
+        state, memory, contacts = advance_world(bodies, state, G, 4e-3, SLEEPY, memory)
         asleep = memory.still >= SLEEPY.sleep_after
         if slept and not woken and asleep[2]:
             assert not len(contacts.key)  # two sleepers make no contact
@@ -53,7 +53,7 @@ def test_nothing_sleeps_unless_it_is_asked_to():
     )
     memory = NOTHING
     for _ in range(120):
-        state, memory, _ = step_world(frictionless, state, G, 1e-3, Rules(), memory)
+        state, memory, _ = advance_world(frictionless, state, G, 1e-3, Rules(), memory)
     assert state.velocity[1, 0] == pytest.approx(1e-4, rel=1e-9)  # creeps on
 
 
@@ -64,7 +64,7 @@ def test_sleepers_that_are_struck_lose_no_momentum():
     state = make_state(place, velocity=[[0, 0, 0]] * 3 + [[1.5, 0, 0]])
     memory, slept = NOTHING, 0
     for _ in range(400):
-        state, memory, _ = step_world(bodies, state, (0, 0, 0), 1e-3, SLEEPY, memory)
+        state, memory, _ = advance_world(bodies, state, (0, 0, 0), 1e-3, SLEEPY, memory)
         slept = max(slept, int(np.sum(memory.still >= SLEEPY.sleep_after)))
     assert slept == 3
     assert state.velocity[2, 0] > 0.1  # the blow has reached the last one
@@ -81,7 +81,7 @@ def test_a_driven_wall_does_not_fall_asleep_and_moves_sleepers(speed):
     state = make_state(place, velocity=[(0, 0, 0), (speed, 0, 0)])
     memory, asleep = NOTHING, []
     for _ in range(60):
-        state, memory, _ = step_world(bodies, state, (0, 0, 0), 0.01, SLEEPY, memory)
+        state, memory, _ = advance_world(bodies, state, (0, 0, 0), 0.01, SLEEPY, memory)
         asleep.append(bool(memory.still[0] >= SLEEPY.sleep_after))
     assert any(asleep[:20])
     assert not any(asleep[22:])
@@ -103,7 +103,7 @@ def test_an_awake_ball_rolls_while_another_body_sleeps():
     start = make_state([*state.position, (3, 2, 0.1)], velocity=[(0, 0, 0), (0, 0, 0), (0.7, -0.2, 0)])
     state, memory = start, NOTHING
     for _ in range(30):
-        state, memory, _ = step_world(both, state, G, 0.01, SLEEPY, memory)
+        state, memory, _ = advance_world(both, state, G, 0.01, SLEEPY, memory)
     assert memory.still[1] >= SLEEPY.sleep_after
     # The box sleeps from 0.1 s on. Until 0.21 s the ball slides and keeps 5/7 of its speed, and then it rolls.
     # The sweeps end at changes of 1e-6.
@@ -118,6 +118,6 @@ def test_a_blow_wakes_no_sleeper_that_it_does_not_reach():
         NOTHING,
     )
     for _ in range(40):  # it strikes after 20 steps
-        state, memory, _ = step_world(bodies, state, (0, 0, 0), 0.01, SLEEPY, memory)
+        state, memory, _ = advance_world(bodies, state, (0, 0, 0), 0.01, SLEEPY, memory)
     assert state.velocity[0, 0] == pytest.approx(0.75)
     np.testing.assert_allclose(memory.still[:2], [0, 0.4], atol=1e-12)

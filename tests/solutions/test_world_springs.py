@@ -8,7 +8,7 @@ import pytest
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.memory import NOTHING
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 
 MASS, STIFFNESS = 3.0, 2e4
 RULES = Rules(response="penalty", stiffness=STIFFNESS)
@@ -25,7 +25,7 @@ def test_a_penalty_contact_without_rebound_leaves_e_to_the_minus_two():
     """A critically damped contact that cannot pull ends at ω t = 2, with the speed v exp(−2)."""
     (bodies, state), memory, dt = ball((0, 0, -1.0)), NOTHING, 1e-3
     for _ in range(30):
-        state, memory, _ = step_world(bodies, state, (0, 0, 0), dt, RULES, memory)
+        state, memory, _ = advance_world(bodies, state, (0, 0, 0), dt, RULES, memory)
     # first order in ω Δt = 8 %
     assert state.velocity[0, 2] == pytest.approx(np.exp(-2), rel=0.12)
 
@@ -34,6 +34,6 @@ def test_the_spring_of_penalty_friction_is_weaker_as_the_contact_is_lighter():
     # k_t = k m_t/m, where m/m_t = 1 + m r²/I at r = 95 mm from the centre: halfway between the surfaces
     v, dt = 1e-3, 1e-3
     bodies, state = ball((v, 0, 0), depth=0.01, restitution=1.0, friction=5.0)
-    _, memory, _ = step_world(bodies, state, (0, 0, 0), dt, RULES)
+    _, memory, _ = advance_world(bodies, state, (0, 0, 0), dt, RULES)
     stiffness = STIFFNESS / (1 + 0.095**2 / (0.4 * 0.1**2))
     assert memory.impulse == pytest.approx(np.array([[-stiffness * v * dt * dt, 0, 0]]), rel=1e-12)

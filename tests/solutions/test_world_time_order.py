@@ -7,9 +7,9 @@ import pytest
 from balls_and_rods import FLOOR, G, drops, energy, run, spheres
 
 from solutions.world.bodies import make_bodies, make_state
-from solutions.world.contacts import collect_contacts
+from solutions.world.contacts import find_contacts
 from solutions.world.rules import Rules
-from solutions.world.step import step_world
+from solutions.world.step import advance_world
 from solutions.world.time_order import step_in_time_order
 
 
@@ -27,7 +27,7 @@ def test_elastic_tumbling_cube_keeps_its_energy_over_many_impacts():
     for _ in range(30):
         state, impacts = step_in_time_order(bodies, state, gravity, 0 * gravity, 0.05, rules)
         total += impacts
-        deepest = min(deepest, np.min(collect_contacts(bodies, state).separation, initial=0.0))
+        deepest = min(deepest, np.min(find_contacts(bodies, state).separation, initial=0.0))
     assert total >= 5
     assert deepest > -1e-9
     assert energy(bodies, state, G) == pytest.approx(start, rel=1e-8)
@@ -39,7 +39,7 @@ def test_spike_that_turns_over_the_top_is_met_when_it_comes_down():
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
     bodies = make_bodies([("polyhedron", corners, faces), FLOOR], [1.0, np.inf], [[0.1] * 3, [np.inf] * 3], 1.0)
     state = make_state([(0, 0, 0.3), (0, 0, 0)], angular_velocity=[(0, 10.0, 0), (0, 0, 0)])
-    after, _, _ = step_world(bodies, state, (0, 0, 0), 0.6, Rules(response="in time order"))
+    after, _, _ = advance_world(bodies, state, (0, 0, 0), 0.6, Rules(response="in time order"))
     time = (np.pi + np.arcsin(0.6)) / 10  # 0.3 m down on the other side, at x = 0.4 m
     j = 2 * 10 * 0.4 / (1 + 0.4**2 / 0.1)
     assert after.velocity[0, 2] == pytest.approx(j, abs=1e-7)  # a touch of 1e-10 m moves the point by as much
@@ -53,7 +53,7 @@ def test_arm_that_swings_into_a_ball_is_backed_up_to_the_contact():
     place = np.array([np.cos(1.5), np.sin(1.5), 0])
     bodies = make_bodies([("compound", ends), ("sphere", 1.15)], [2.0, np.inf], [[2.0] * 3, [np.inf] * 3], 0.5)
     state = make_state([(0, 0, 0), place], angular_velocity=[(0, 0, 10.0), (0, 0, 0)])
-    after, _, _ = step_world(bodies, state, (0, 0, 0), 0.05, Rules(response="in time order"))
+    after, _, _ = advance_world(bodies, state, (0, 0, 0), 0.05, Rules(response="in time order"))
     angle = 1.5 - np.arccos(1 - 1.2**2 / 2)  # 0.213; the velocity at the start says 0.223
     end = np.array([np.cos(angle), np.sin(angle), 0])
     normal = (end - place) / 1.2
@@ -68,7 +68,7 @@ def test_fast_ball_does_not_pass_through_a_small_one_in_a_step():
     # 100 m/s in a step of 0.1 s; the small ball is struck off its centre, and the two part at a right angle
     bodies, state = spheres([(0, 0, 0), (6.0, 0.03, 0)], [(100.0, 0, 0), (0, 0, 0)], radius=0.05)
     for response, meets in (("in time order", True), ("sequential", False)):
-        after, _, _ = step_world(bodies, state, (0, 0, 0), 0.1, Rules(response=response))
+        after, _, _ = advance_world(bodies, state, (0, 0, 0), 0.1, Rules(response=response))
         assert (after.velocity[1, 0] > 1) == meets
         assert after.velocity[0] @ after.velocity[1] == pytest.approx(0.0, abs=1e-6)
         if meets:  # along the line of centres, sin of whose angle is 0.3; the gap that counts as touch is 1e-10 m
@@ -106,4 +106,4 @@ def test_impacts_of_falling_discs_stall_unless_slow_contacts_are_held(rest_speed
         assert 0.2 < step / 240 < 0.35
     else:
         assert most < 100
-        assert np.min(collect_contacts(bodies, state).separation) > -1e-4
+        assert np.min(find_contacts(bodies, state).separation) > -1e-4

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solutions.world.bodies import make_bodies, make_state
-from solutions.world.step import NOTHING, step_world
+from solutions.world.step import NOTHING, advance_world
 
 G = 9.81
 FLOOR = ("half-space", (0.0, 0.0, 1.0))
@@ -61,14 +61,14 @@ def run(bodies, state, dt, steps, rules, gravity=G):
     """The states after each step."""
     memory, states = NOTHING, []
     for _ in range(steps):
-        state, memory, _ = step_world(bodies, state, (0, 0, -gravity), dt, rules, memory)
+        state, memory, _ = advance_world(bodies, state, (0, 0, -gravity), dt, rules, memory)
         states.append(state)
     return states
 
 
 def once(bodies, state, rules, dt=1e-9):
     """The velocities and spins after one short step without forces."""
-    after, _, _ = step_world(bodies, state, (0, 0, 0), dt, rules)
+    after, _, _ = advance_world(bodies, state, (0, 0, 0), dt, rules)
     return after.velocity, after.angular_velocity
 
 

@@ -107,7 +107,9 @@ def _is_group(value: Any, axes: Any) -> bool:
     return isinstance(axes, tuple) and isinstance(value, tuple)
 
 
-def _lead(value: Any, axes: int) -> tuple[int, ...]:
+def _lead(value: Any, axes: Any) -> tuple[int, ...]:
+    if isinstance(axes, tuple):  # several things that were not given
+        return ()
     shape: tuple[int, ...] = np.shape(value)
     return shape[: max(0, len(shape) - axes)]
 

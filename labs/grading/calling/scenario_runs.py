@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import itertools
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -73,6 +73,14 @@ class Mixed(Implementation):
             return found(*arguments, **named)
 
         return called
+
+    def first_defined(self, names: Sequence[str]) -> str:
+        """The first of these names that the submission defines, or else as any implementation says."""
+        own = (name for name in names if lecture.function(name).topic == self.topic and self._defines(name))
+        return next(own, None) or super().first_defined(names)
+
+    def _defines(self, name: str) -> bool:
+        return self.call is not None and bool(self.call.defines(name))
 
     def _function(self, name: str) -> Callable[..., Any]:
         entry, call = lecture.function(name), self.call

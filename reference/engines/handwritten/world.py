@@ -1,11 +1,13 @@
 """The step loop of the hand-written world: bodies of many scenarios side by side, each scenario by itself.
 
 All physics comes from the implementation's functions. Here is how a scenario is told to them, and how its part of the
-states becomes a trajectory.
+states becomes a trajectory. An implementation has `advance_world`, which takes all bodies together, or the `step_world`
+of the lab, which takes one scenario at a time (`small_world`).
 """
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from dataclasses import fields
 from itertools import accumulate
@@ -14,21 +16,40 @@ from typing import Any
 import numpy as np
 
 from reference.arrays import Array
+from reference.engines.handwritten import small_world
 from reference.engines.handwritten.loads import LoadsByHand
 from reference.engines.handwritten.rigid_bodies import moments_of_inertia
 from reference.engines.handwritten.world_settings import rules
 from reference.engines.implementation import Implementation
+from reference.errors import RunFailed
 from reference.scene import geometry, surfaces
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Contacts, Trajectory
 
+LOOKS_AFTER, LONGEST = 10.0, 100.0
+"""When it is looked at how long an ensemble will take in the world of the lab, and how long it may take, s.
+
+A job may take 300 s, and then it could only say that its process was stopped.
+"""
+TOO_SLOW = (
+    "too slow for {count} runs: your step_world took {taken:.0f} s for {done} of them, so that all would take"
+    " {whole:.0f} s; run one case, or take a longer timestep"
+)
+
+
+def is_small(implementation: Implementation) -> bool:
+    """Whether the world of an implementation is that of the lab."""
+    return implementation.first_defined(("advance_world", "step_world")) == "step_world"
+
 
 def run(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Step scenarios in which contacts follow the same rules as one world; return the trajectories of all."""
+    if is_small(implementation):
+        return _run_one_by_one(engine, scenarios, steps, settings, implementation)
     told = [rules(scenario, settings) for scenario in scenarios]
     found: dict[int, Trajectory] = {}
     for alike in dict.fromkeys(told):
@@ -36,6 +57,29 @@ def run(
         own = [scenarios[place] for place in places], [steps[place] for place in places]
         found |= zip(places, _run_together(engine, *own, settings, alike, implementation), strict=True)
     return [found[place] for place in range(len(scenarios))]
+
+
+def _run_one_by_one(
+    engine: str, scenarios: Sequence[Scenario], steps: Sequence[int], settings: Settings, implementation: Implementation
+) -> list[Trajectory]:
+    """Step each scenario in the world of the lab; of an ensemble that would take too long, say so early."""
+    start, found = time.perf_counter(), list[Trajectory]()
+    for each in zip(scenarios, steps, strict=True):
+        found.append(_run_small(engine, *each, settings, implementation))
+        taken = time.perf_counter() - start
+        whole = taken / len(found) * len(scenarios)
+        if len(found) < len(scenarios) and taken > LOOKS_AFTER and whole > LONGEST:
+            raise RunFailed(TOO_SLOW.format(count=len(scenarios), done=len(found), taken=taken, whole=whole))
+    return found
+
+
+def _run_small(
+    engine: str, scenario: Scenario, steps: int, settings: Settings, implementation: Implementation
+) -> Trajectory:
+    """Step one scenario in the world of the lab."""
+    samples, met = small_world.run(scenario, steps, settings, implementation)
+    contacts = _contacts(met, len(samples), 0, len(scenario.bodies))
+    return _trajectory(engine, scenario, settings, _times(len(samples), settings), np.array(samples), contacts)
 
 
 def _run_together(
@@ -47,7 +91,7 @@ def _run_together(
     implementation: Implementation,
 ) -> list[Trajectory]:
     """Step all scenarios as one world; return each one's own trajectory, cut after its own number of steps."""
-    step_world = implementation.function("step_world")
+    advance_world = implementation.function("advance_world")
     bodies = _bodies(scenarios, implementation)
     state = implementation.function("make_state")(*(_of_all(scenarios, part) for part in range(4)))
     acceleration = np.concatenate([np.tile(each.gravity, (len(each.bodies), 1)) for each in scenarios])
@@ -55,13 +99,13 @@ def _run_together(
     every, samples, met = settings.sample_every, [np.concatenate(state, axis=-1)], list[tuple[int, Any]]()
     for number in range(1, max(steps) + 1):
         force, torque = loads.on_bodies((number - 1) * settings.timestep, state)
-        state, *memory, contacts = step_world(
+        state, *memory, contacts = advance_world(
             bodies, state, acceleration, settings.timestep, told, *memory, force=force, torque=torque
         )
         if number % every == 0:
             samples.append(np.concatenate(state, axis=-1))
             met.append((number // every, contacts))
-    times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
+    times = _times(len(samples), settings)
     ends = [0, *accumulate(len(each.bodies) for each in scenarios)]
     states = np.array(samples)  # (samples, bodies, 13)
     return [
@@ -71,6 +115,11 @@ def _run_together(
         for scenario, taken, first, end in zip(scenarios, steps, ends, ends[1:], strict=False)
         for count in [1 + taken // every]
     ]
+
+
+def _times(count: int, settings: Settings) -> Array:
+    """The instants of the first samples, s."""
+    return np.arange(count, dtype=np.float64) * settings.sample_every * settings.timestep
 
 
 def _of_all(scenarios: Sequence[Scenario], part: int) -> Array:

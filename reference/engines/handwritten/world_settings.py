@@ -76,7 +76,7 @@ def method_of(scenario: Scenario, settings: Settings) -> Method:
 
 
 def rules(scenario: Scenario, settings: Settings) -> tuple[float | str, ...]:
-    """How a step responds to contacts, in the order in which `step_world` takes it."""
+    """How a step responds to contacts, in the order in which `advance_world` takes it."""
     found = (
         rest_speed(scenario, settings),
         reach(scenario, settings),

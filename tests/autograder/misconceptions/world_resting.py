@@ -9,22 +9,6 @@ def resting(g, w, f):
     return g @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w, f)
 
 
-def pressed(own, f):
-    return np.where(own > 0, own, 1) * f
-
-
-def worst(own, f, w):
-    return np.max(np.abs(np.minimum(pressed(own, f), w)), axis=-1, initial=0)
-
-
-def residual(measure):
-    def of(a, b, f):
-        a, b, f = np.asarray(a), np.asarray(b), np.asarray(f)
-        return measure(np.diagonal(a, axis1=-2, axis2=-1) + 0 * f, f, np.matvec(a, f) + b)
-
-    return of
-
-
 def sweep(a, b, sweeps, start=0.0, update=None, order=None, jacobi=False, last=None, limit=None):
     a, b = np.asarray(a), np.asarray(b)
     f = np.array(np.broadcast_to(start, np.broadcast_shapes(a.shape[:-1], b.shape, np.shape(start))), dtype=float)
@@ -80,55 +64,6 @@ BANK = (
       lambda g, w, f: resting(g, w * np.eye(np.shape(w)[-1]), f),
       "Only the diagonal of M⁻¹ is used; the inverse inertia of a body that does not stand along the axes has more.",
       "What does the inverse inertia of a turned box look like?"),
-    M("complementarity_residual", "products", residual(lambda own, f, w: np.max(np.abs(f * w), axis=-1, initial=0)),
-      "It looks at the products f (A f + b) alone: where both numbers are negative, or one is and the other zero, "
-      "nothing is noticed.",
-      "A contact that pulls, with no acceleration: is that a solution?"),
-    M("complementarity_residual", "one product", residual(lambda own, f, w: np.abs(np.sum(f * w, axis=-1))),
-      "The products of all contacts are added up, so that they may cancel.",
-      "One product is 1, another is −1. Is that a solution?"),
-    M("complementarity_residual", "units mixed",
-      residual(lambda own, f, w: np.max(np.abs(np.minimum(f, w)), axis=-1, initial=0)),
-      "A force is compared with an acceleration: A_ii f_i has the same unit as (A f + b)_i.",
-      "What units have the two numbers of which you take the smaller?"),
-    M("complementarity_residual", "larger of the two",
-      residual(lambda own, f, w: np.max(np.abs(np.maximum(pressed(own, f), w)), axis=-1, initial=0)),
-      "The larger of the two numbers is taken; the smaller one has to be zero.",
-      "A contact that carries a weight: which of the two numbers is zero?"),
-    M("complementarity_residual", "sign kept",
-      residual(lambda own, f, w: np.max(np.minimum(pressed(own, f), w), axis=-1, initial=-np.inf)),
-      "The absolute value is missing: a number below zero is the worst case, and comes out as the best.",
-      "What does a negative one of the two numbers mean?"),
-    M("complementarity_residual", "sum",
-      residual(lambda own, f, w: np.sum(np.abs(np.minimum(pressed(own, f), w)), axis=-1)),
-      "All contacts are added up; asked for is the worst one.",
-      "Two contacts, each wrong by 1. How far is it from a solution?"),
-    M("complementarity_residual", "mean",
-      residual(lambda own, f, w: np.mean(np.abs(np.minimum(pressed(own, f), w)), axis=-1)),
-      "It is the mean of all contacts; asked for is the worst one.",
-      "A hundred contacts, one of them wrong by 1. How far is it from a solution?"),
-    M("complementarity_residual", "length",
-      residual(lambda own, f, w: np.linalg.norm(np.minimum(pressed(own, f), w), axis=-1)),
-      "It is the length of the vector; asked for is the largest number.",
-      "Two contacts, each wrong by 1. How far is it from a solution?"),
-    M("complementarity_residual", "equation alone", residual(lambda own, f, w: np.max(np.abs(w), axis=-1, initial=0)),
-      "It asks for A f + b = 0. A contact that lifts off accelerates, and feels no force.",
-      "A contact lifts off. Which of the two numbers is zero?"),
-    M("complementarity_residual", "inequalities alone",
-      residual(lambda own, f, w: np.max(np.maximum(np.maximum(-w, -pressed(own, f)), 0), axis=-1, initial=0)),
-      "Only the inequalities are looked at: a contact that lifts off with a force on it is not noticed.",
-      "What does the third condition say?"),
-    M("complementarity_residual", "offset subtracted",
-      lambda a, b, f: residual(worst)(a, -np.asarray(b), f),
-      "The offset is subtracted: it is A f + b.",
-      "Which sign has b in the problem?"),
-    M("complementarity_residual", "one for all",
-      residual(lambda own, f, w: np.max(np.abs(np.minimum(pressed(own, f), w))) + 0 * f[..., 0]),
-      "With several problems in one call, the worst of all of them is given to each.",
-      "Along which axis do the contacts of a single problem lie?"),
-    M("complementarity_residual", "offset left out", lambda a, b, f: residual(worst)(a, 0 * np.asarray(b), f),
-      "The offset makes no difference: the second number is A f + b.",
-      "Which argument makes no difference to your answer?"),
     M("solve_by_sweeps", "old forces", sweeps(jacobi=True),
       "All contacts of a sweep use the forces from before it: that is Jacobi's method. "
       "Gauss and Seidel use what is there already.",

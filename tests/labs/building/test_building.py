@@ -23,16 +23,7 @@ from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, LESSONS, SOLVED_
 from reference import lecture
 from reference.errors import CollisionsError
 
-GRADED = ("detection", "response", "friction", "impulse", "polyhedra", "sweeping", "forces", "meshes", "avoidance")
-EVERY_TOPIC = pytest.mark.parametrize(
-    "topic",
-    [
-        pytest.param(topic.name, marks=() if topic.name in GRADED else pytest.mark.slow)
-        for topic in lecture.TOPICS
-        if topic.name != "world"
-    ],
-)
-"""Among the slow tests those of which nothing is graded yet."""
+EVERY_TOPIC = pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS])
 QUESTION = """
 <!-- #region answer="why" points=3 -->
 Why is T early?

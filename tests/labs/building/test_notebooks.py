@@ -80,8 +80,9 @@ def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
     assert "✗" not in of_the_student(without_drafts(cells)).replace("✗ fail", "")
     assert not re.search(r"· \w+ +to do", said)
     assert not re.search(REFUSED, said, re.MULTILINE)
-    # Where a lab's loops are in the lesson, its first runs beside engines come after their functions.
-    if topic not in ("polyhedra", "sweeping", "meshes", "avoidance"):
+    # Where a lab's loops are in the lesson, its first runs beside engines come after their functions; those of the
+    # world come after its drafts.
+    if topic not in ("polyhedra", "sweeping", "meshes", "avoidance", "world"):
         assert "Your implementation waits for" in said
         assert "you predicted" in said  # beside what came
     assert "functions right. Hidden tests" in said

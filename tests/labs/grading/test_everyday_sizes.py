@@ -18,14 +18,13 @@ from tests_in_process import Asked, collected, run_test
 from labs.grading.judging.case_by_case import CaseByCase
 from reference import lecture
 
-LABS = ("response", "friction", "polyhedra", "sweeping", "forces", "meshes", "avoidance")
+LABS = ("response", "friction", "polyhedra", "sweeping", "forces", "meshes", "avoidance", "world")
 WRITTEN = [entry.name for topic in LABS for entry in lecture.functions_of(topic) if entry.role == "written"]
 TESTS = collected("visible", "hidden")
 OF_ONE_SIZE = {
     "normal", "restitution", "behind", "faces", "faces_a", "faces_b", "steps", "looks", "adhesive", "friction",
     "static_friction", "kinetic_friction", "steps_per_contact", "ends", "drag_coefficient",
-    "edges", "candidates", "limit", "iterations",
-    "first", "second",
+    "edges", "candidates", "limit", "iterations", "first", "second", "sweeps", "most", "orientation",
 }  # fmt: skip
 """Arguments without a unit."""
 SPARED = {
@@ -56,16 +55,16 @@ def quiet():
         yield
 
 
+def seen(value, change):
+    """An argument as it is seen; of the tuple of a world, all numbers that are not whole."""
+    if isinstance(value, tuple):
+        return tuple(seen(part, change) for part in value)
+    return change(value) if np.asarray(value).dtype.kind == "f" else value
+
+
 def changed(function, place, change):
     """A function that sees one of its arguments changed."""
-    return lambda *given: function(*(_in(each, change) if at == place else each for at, each in enumerate(given)))
-
-
-def _in(value, change):
-    """Of a mesh or a body, every part that is measured."""
-    if isinstance(value, tuple):
-        return tuple(_in(part, change) if np.asarray(part).dtype.kind == "f" else part for part in value)
-    return change(value)
+    return lambda *given: function(*(seen(each, change) if at == place else each for at, each in enumerate(given)))
 
 
 def loses(name, function):

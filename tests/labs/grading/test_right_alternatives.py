@@ -10,12 +10,15 @@ each file is read in every format, and one is graded in each of them.
 from __future__ import annotations
 
 import ast
+import functools
 import json
 from pathlib import Path
 
 import pytest
 from tests_in_process import TOPICS
 
+from labs.building.excerpts import TopicExcerpts, imports_of, text_of
+from labs.grading.diagnosis.fingerprints.building import WITH_GIVEN_FUNCTIONS
 from labs.grading.judging.grade import grade
 from labs.grading.submission.reading import read
 from labs.project_folders import AUTOGRADER
@@ -54,6 +57,17 @@ def notebook(text: str) -> bytes:
     return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}).encode()
 
 
+@functools.cache
+def handed_in(name: str) -> str:
+    """A file's text; in a lab that gives functions without which no answer runs, these come first."""
+    text, topic = FILES[name].read_text(encoding="utf-8"), name.partition("_")[0]
+    if topic not in WITH_GIVEN_FUNCTIONS:
+        return text
+    given = [entry.name for entry in lecture.functions_of(topic) if entry.role == "given"]
+    found = TopicExcerpts.of(topic).needed(given)
+    return f"from __future__ import annotations\n\n\n{imports_of(found)}\n\n\n{text_of(found)}\n\n\n{text}"
+
+
 FORMATS = (unchanged, windows, windows_with_a_mark, tabs, notebook)
 
 
@@ -63,7 +77,7 @@ def topic_of(name: str) -> str:
 
 def stored(name: str, written, folder: Path) -> Path:
     path = folder / ("lab.ipynb" if written is notebook else "lab.py")
-    path.write_bytes(written(FILES[name].read_text(encoding="utf-8")))
+    path.write_bytes(written(handed_in(name)))
     return path
 
 

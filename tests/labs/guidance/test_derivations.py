@@ -66,6 +66,12 @@ ONE_SIGN = {
     "it is a stiffness, a damping, a frequency or a damping ratio": """spring_damper_force.k spring_damper_force.c
         spring_damper_force.m spring_step_limit.w spring_step_limit.z total_force.a total_force.b""",
     "the three balls lie in this order": "total_force.x_1 total_force.x_3",
+    "what turns, rests or is struck has a mass, a moment of inertia and a size": """rotate_by_momentum.I
+        rotate_by_momentum.J collect_contacts.h collect_contacts.k propagate_impacts.m propagate_impacts.M
+        resting_problem.m resting_problem.I step_world.w solve_by_sweeps.a""",
+    "balls that collide approach, and have a restitution from 0 to 1": "propagate_impacts.u propagate_impacts.e",
+    "no contact pulls": "solve_by_sweeps.f",
+    "a step has a length, and a contact in overlap closes no gap": "step_world.dt respond.dt respond.s",
 }
 """Quantities that can have one sign only: there a line may hold q or abs(q). Beside them, why."""
 

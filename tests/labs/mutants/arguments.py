@@ -18,8 +18,15 @@ Place = tuple[int, ...]
 Change = Callable[[Any], Any]
 PARTS = ("velocity", "angular_velocity", "arm", "inverse_mass", "inverse_inertia")
 """The parts of a body, in their order."""
-MESH = ("edges", "rest_length", "stiffness", "damping", "mass", "pinned")
-"""The parts of a spring mesh, in their order."""
+TUPLES = {
+    "mesh": ("edges", "rest_length", "stiffness", "damping", "mass", "pinned"),
+    "bodies": ("inverse_mass", "moments", "restitution", "friction", "meet", "kind", "size"),
+    "state": ("position", "orientation", "velocity", "angular_velocity"),
+    "contacts": ("contact_a", "contact_b", "point", "normal", "separation", "key"),
+    "memory": ("key", "impulse"),
+    "rules": ("rest_speed", "margin", "sweeps"),
+}
+"""The parts of a spring mesh and of the tuples of a world, in their order."""
 AFTER = ("velocity_a", "angular_velocity_a", "velocity_b", "angular_velocity_b")
 """The parts of the velocities after an impact, in their order."""
 
@@ -41,7 +48,7 @@ def wrong_arguments(parameters: Sequence[str], sample: Sequence[Any]) -> Iterato
 def _places(parameters: Sequence[str], sample: Sequence[Any]) -> Iterator[tuple[Place, str]]:
     for at, (name, value) in enumerate(zip(parameters, sample, strict=False)):
         if isinstance(value, tuple):
-            parts = {"after": AFTER, "mesh": MESH}.get(name, PARTS)
+            parts = TUPLES.get(name, AFTER if name == "after" else PARTS)
             yield from (((at, part), f"{parts[part]} of {name}") for part in range(len(value)))
         elif isinstance(value, float | np.ndarray):  # no flag, and no number of rounds
             yield (at,), name

@@ -162,10 +162,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: count - 1 → np.abs(count) - 1",
         ),
     },
-    "complementarity_residual": {
-        SYMMETRIC: ("transposed: np.matvec(a, f) → np.matvec(transposed(a), f)",),
-        NOT_NEGATIVE: ("size for it: np.max(…",),
-    },
     "solve_by_sweeps": {
         "A force of the step before is never negative, and no other is.": (
             "start: size for it",
@@ -173,13 +169,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: f → np.abs(f)",
         ),
         "The first contact is solved before its force is used.": ("start: axis 0 left out",),
-        "A contact that moves nothing gets no force, whatever its quotient is.": (
-            "branch dropped: np.where(own > 0, own, 1.0) → shaped(own, own > 0)",
-            "boundary: own > 0 → own >= 0",
-            "condition dropped: own > 0 → always(own > 0)",
-            "twice the number: 1.0 → 2.0",
-            "half the number: 1.0 → 0.5",
-        ),
     },
     "normal_velocity": {
         "How fast the points part depends on neither mass nor inertia.": (
@@ -488,6 +477,74 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "motion_bound": {
         TWICE: ("angular_velocity: sign flipped", "cross product turned round: np.cross(n, w) → np.cross(w, n)"),
         NOT_NEGATIVE: ("size for it: np.vecdot(n, v) + turning → np.vecdot(n, v) + np.abs(turning)",),
+    },
+    "rotate_by_momentum": {
+        "q and −q are the same rotation.": ("orientation: size for it",),
+        NOT_NEGATIVE: ("moments: size for it",),
+        "What is held keeps its spin, whatever its momentum.": (
+            "branch dropped: np.where(free, moments, 0.0) → shaped(moments, free)",
+        ),
+        SYMMETRIC: ("transposed: np.matvec(inverse_inertias(moments, q_after), momentum) → …",),
+    },
+    "candidate_pairs": {
+        NOT_NEGATIVE: ("size for it: np.argwhere(…",),
+        "The diagonals of a triangle are whole numbers.": ("half the number: 1 → 0.5",),
+    },
+    "collect_contacts": {
+        NOT_NEGATIVE: (
+            "…of bodies: size for it",
+            "size for it: np.where(of_kind == PLANE, np.inf, reach) + margin / 2 → …",
+            "size for it: position - reach → position - …",
+            "size for it: inverse_mass[first] + inverse_mass[second] → …",
+        ),
+        "Only a lower corner that is too high, or an upper one that is too low, hides a contact.": (
+            "size for it: position + reach → …",
+        ),
+        "Only places and shapes count.": (
+            "moments of bodies: …",
+            "restitution of bodies: …",
+            "friction of bodies: …",
+            "velocity of state…",
+            "angular_velocity of state…",
+        ),
+        "q and −q are the same rotation.": ("orientation of state: sign flipped",),
+        "More candidates only take longer: the given function leaves out what does not touch.": (
+            "branch dropped: np.where(of_kind == PLANE, np.inf, reach) → shaped(np.inf, of_kind == PLANE)",
+            "condition dropped: of_kind == PLANE → always(of_kind == PLANE)",
+            "factor forgotten: margin / 2 → …",
+            "product for ratio: margin / 2 → margin * 2",
+            "half the number: 2 → 1.0",
+        ),
+    },
+    "respond": {
+        NOT_NEGATIVE: ("inverse_mass of bodies: size for it",),
+        "What touches is known already.": (
+            "meet of bodies: …",
+            "kind of bodies: …",
+            "size of bodies: …",
+            "key of contacts: …",
+        ),
+        "q and −q are the same rotation.": ("orientation of state: sign flipped",),
+        "Both have one entry for each contact.": ("one for the other: a → b",),
+        SYMMETRIC: (
+            "product turned round: dt * share @ load.ravel() → …",
+            "transposed: dt * share @ load.ravel() → …",
+            "transposed: share @ normals.T → …",
+        ),
+        ANY_NEGATIVE: ("twice the number: 1 → 2",),
+    },
+    "step_world": {
+        NOT_NEGATIVE: (
+            "inverse_mass of bodies: size for it",
+            "kind of bodies: size for it",
+            "key of memory: size for it",
+            "… → (position, orientation, velocity, spin, np.abs(contacts[-1]), impulse)",
+        ),
+        "What cannot be moved is not moved by its weight.": (
+            "branch dropped: np.where(inverse_mass > 0, … → shaped(1 / …",
+            "boundary: inverse_mass > 0 → …",
+            "condition dropped: inverse_mass > 0 → always(…",
+        ),
     },
     "advance": {
         NOT_NEGATIVE: (

@@ -108,7 +108,7 @@ def test_an_implementation_without_a_world_needs_its_step(tmp_path):
     mine.write_text("")
     scenario = ball("needs", (0.0, 0.0), 0.5)
     engine = load_engine("handwritten", Implementation(str(mine)))
-    with pytest.raises(NeedsFunction, match=r"^needs step_world \(world, step 10\)$"):
+    with pytest.raises(NeedsFunction, match=r"^needs step_world \(world, step 1\)$"):
         engine.run(scenario, engine.settings(scenario, "world"))
 
 
@@ -120,12 +120,12 @@ from solutions.impulse import *
 from solutions.world import *
 from solutions import world
 
-def step_world(bodies, state, *others, **named):
+def advance_world(bodies, state, *others, **named):
     with open({calls!r}, "a") as calls:
         calls.write(f"{{len(state[0])}} ")
     if {most} < len(state[0]):
         raise ValueError("too many bodies for me")
-    return world.step_world(bodies, state, *others, **named)
+    return world.advance_world(bodies, state, *others, **named)
 """
 FAMILY, CASES = "off-centre-impact", ("corner,e=0.5,μ=0.2", "corner,e=0.5,μ=0.5")
 

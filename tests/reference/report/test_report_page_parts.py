@@ -181,6 +181,6 @@ def test_the_page_shows_which_scenarios_wait_for_the_world_of_an_implementation(
     assert ["Box on a slope: holds, slides or tips", "✓ 2/2 way in 1 s 0 m", "… needs"] in overview
     for name, times in (("tipping-box", ""), ("stack", " 2×")):
         notes = [note.text for note in with_id(tree, name).all("p", "note")]
-        assert f"Hand-written code (world{times}) needs step_world (world, step 10)." in notes
+        assert f"Hand-written code (world{times}) needs step_world (world, step 1)." in notes
         whole, *_ = (cell.text for cell in came_out(with_id(tree, name)).all("td", "needs"))
-        assert whole == "… needs step_world (world, step 10)"
+        assert whole == "… needs step_world (world, step 1)"

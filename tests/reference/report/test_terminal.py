@@ -291,7 +291,7 @@ def test_the_terminal_shows_which_scenarios_wait_for_the_world_of_an_implementat
     text = printed([run_job(job) for job in jobs])
     lines = [words(line) for line in text.splitlines()]
     assert "hand-written, world needs" in lines
-    assert "Hand-written code (world) needs step_world (world, step 10)." in lines
-    assert "Hand-written code (world 2×) needs step_world (world, step 10)." in lines
+    assert "Hand-written code (world) needs step_world (world, step 1)." in lines
+    assert "Hand-written code (world 2×) needs step_world (world, step 1)." in lines
     assert "stack … needs" in lines
     assert "3 cases wait for hand-written code" in words(text)

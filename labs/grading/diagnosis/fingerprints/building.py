@@ -19,6 +19,7 @@ from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited
 from labs.grading.diagnosis.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
 from labs.grading.diagnosis.misconceptions import Misconception, read_bank
 from labs.grading.diagnosis.probes import Probe, probed, probes
+from reference import lecture
 from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput
@@ -33,6 +34,8 @@ SMALLEST_SIZE = 1e-3
 """An output of zeros is judged as one of this size when it is asked whether the probe is on an edge."""
 HEADROOM = 0.9
 """Sizes of cases made by hand are powers of two; times this, their rounding cannot change the scale's power of two."""
+WITH_GIVEN_FUNCTIONS = ("world",)
+"""Labs in which the functions of other labs are given: what students wrote there is not in their notebook."""
 Content = dict[str, Any]
 
 
@@ -69,9 +72,15 @@ def build(
         own = [known for known in table if known.function == entry.name]
         functions = content.setdefault(entry.topic, head)["functions"]
         function = inspect.unwrap(right.function(entry.name))
-        functions[entry.name] = learned(entry.name, function, own, earlier if inheriting else {})
+        known_here = {name: each for name, each in earlier.items() if _may_spoil(name, entry.topic)}
+        functions[entry.name] = learned(entry.name, function, own, known_here if inheriting else {})
         earlier[entry.name] = function, own
     return content
+
+
+def _may_spoil(name: str, topic: str) -> bool:
+    """Whether a mistake in that function may show in functions of a topic."""
+    return topic not in WITH_GIVEN_FUNCTIONS or lecture.function(name).topic == topic
 
 
 def learned(

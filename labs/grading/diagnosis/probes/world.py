@@ -1,4 +1,4 @@
-"""Probes of the functions of impacts in a row and of contacts that rest."""
+"""Probes of the functions of a world: bodies that turn, boxes that overlap, impacts in a row, contacts that rest."""
 
 from __future__ import annotations
 
@@ -6,19 +6,76 @@ from typing import Any
 
 import numpy as np
 
+from labs.grading.diagnosis.probes import world_scenes
 from labs.grading.diagnosis.probes.probe import Draw, Probe, edge, made, refused, usual
 from reference.arrays import Array
 
-UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
-ONE = np.eye(3).tolist()
-BALL = [[3.5, 0.0, 0.0], [0.0, 3.5, 0.0], [0.0, 0.0, 1.0]]
-"""K of a solid sphere of 1 kg on a floor."""
+UNTURNED, HALF_TURNS, LEANS = [1.0, 0.0, 0.0, 0.0], [0.5, 0.5, 0.5, 0.5], [0.8, 0.0, 0.6, 0.0]
 INFINITY = float("inf")
 
 
 def probes(function: str) -> tuple[Probe, ...]:
     """The probes of one of this topic's functions."""
     return tuple(_TABLE[function]())
+
+
+def _turning() -> list[Probe]:
+    brick = [1, 2, 3]
+    by_hand = [
+        usual("about two of its axes", UNTURNED, [1, 1, 0], brick, 0.25),
+        usual("about all of its axes", UNTURNED, [1, -2, 0.5], brick, 0.25),
+        usual("about its own first axis", UNTURNED, [2, 0, 0], brick, 0.25),
+        usual("turned by half turns", HALF_TURNS, [1, -2, 0.5], brick, 0.25),
+        usual("it leans", LEANS, [0.5, 2, -1], [3, 1, 2], 0.25),
+        usual("a plate", LEANS, [0.5, 2, -1], [0.1, 0.1, 0.2], 0.25),
+        usual("a pin", [0.1, 0.5, 0.5, 0.7], [1, 0.5, -2], [0.02, 1, 1], 0.125),
+        usual("a long step", LEANS, [3, 1, -2], brick, 1.5),
+        usual("a short step", LEANS, [3, 1, -2], brick, 0.01),
+        usual("fast", LEANS, [30, 10, -20], brick, 0.05),
+        usual("back in time", LEANS, [0.5, 2, -1], brick, -0.25),
+        edge("a ball", LEANS, [0.5, 2, -1], [2, 2, 2], 0.25),
+        edge("at rest", LEANS, [0, 0, 0], brick, 0.25),
+        edge("held by something else", LEANS, [0.5, 2, -1], [INFINITY, INFINITY, INFINITY], 0.25),
+        edge("a step of no length", LEANS, [0.5, 2, -1], brick, 0.0),
+        edge("large and small", LEANS, [0.5, 2, -1], [1e6, 2e6, 3e6], 0.25),
+        refused("a negative moment", UNTURNED, [1, 1, 0], [1, -2, 3], 0.25),
+    ]
+
+    def maker(draw: Draw) -> tuple[Any, ...]:
+        return world_scenes.orientation(draw), draw.vector(3), np.abs(draw.vector(2)) + 0.2, 0.25
+
+    return made("rotate_by_momentum", by_hand, maker, single=(3,))
+
+
+def _pairs() -> list[Probe]:
+    low = [[0, 0, 0], [1, 1, 1], [4, 4, 4], [-3, 0.5, 0.5]]
+    high = [[2, 2, 2], [3, 3, 3], [5, 5, 5], [0.5, 4, 1.5]]
+    by_hand = [
+        usual("four boxes", low, high),
+        usual("the same four, from the last", low[::-1], high[::-1]),
+        usual("apart along x alone", [[0, 0, 0], [3, 1, 1]], [[2, 2, 2], [5, 3, 3]]),
+        usual("apart along y alone", [[0, 3, 0], [1, 0, 1]], [[2, 5, 2], [3, 2, 3]]),
+        usual("apart along z alone", [[0, 0, 0], [1, 1, 2.5]], [[2, 2, 2], [3, 3, 3]]),
+        usual("one inside the other", [[0, 0, 0], [1, 1, 1]], [[4, 4, 4], [2, 2, 2]]),
+        usual("they cross", [[0, 1, 1], [1, 0, 0]], [[4, 2, 2], [2, 3, 3]]),
+        usual("three in a heap", [[0, 0, 0], [1, 0, 1], [0, 1, 1]], [[2, 2, 2], [3, 2, 3], [2, 3, 3]]),
+        usual("a small one far away", [[-900, 0, 0], [-901, 0, 0]], [[-899, 1, 1], [-899.5, 1, 1]]),
+        edge("they touch", [[0, 0, 0], [2, 0, 0]], [[2, 2, 2], [3, 2, 2]]),
+        edge("they touch at a corner", [[0, 0, 0], [2, 2, 2]], [[2, 2, 2], [3, 3, 3]]),
+        edge("the same twice", [[0, 0, 0], [0, 0, 0]], [[2, 2, 2], [2, 2, 2]]),
+        edge(
+            "a half-space", [[0, 0, 1], [-INFINITY, -INFINITY, -INFINITY]], [[1, 1, 2], [INFINITY, INFINITY, INFINITY]]
+        ),
+        edge("a box without a size", [[0, 0, 0], [1, 1, 1]], [[2, 2, 2], [1, 1, 1]]),
+        edge("one box", [[0, 0, 0]], [[2, 2, 2]]),
+        refused("an upper corner below", [[0, 0, 0], [1, 1, 1]], [[2, 2, 2], [0, 2, 2]]),
+    ]
+
+    def maker(draw: Draw) -> tuple[Any, ...]:
+        corner = np.array([draw.vector(3) for _ in range(6)])
+        return corner, corner + np.abs([draw.vector(4) for _ in range(6)])
+
+    return made("candidate_pairs", by_hand, maker, count=12, single=range(2))
 
 
 def _propagate() -> list[Probe]:
@@ -66,23 +123,6 @@ def _problem(draw: Draw) -> tuple[Array, Array]:
     return half @ half.T + np.eye(3), draw.vector(5)
 
 
-def _residual() -> list[Probe]:
-    by_hand = [
-        usual("the solution of one contact", [[2]], [-4], [2]),
-        usual("too little force", [[2]], [-4], [1]),
-        usual("too much force", [[2]], [-4], [3]),
-        usual("a force where it lifts off", [[2]], [4], [1]),
-        usual("a contact that pulls", [[2]], [4], [-2]),
-        usual("two contacts, one wrong", [[2, 0], [0, 1]], [-4, -1], [2, 3]),
-        edge("the solution of a contact that lifts off", [[2]], [4], [0]),
-        edge("a contact that moves nothing", [[0]], [1], [0.5]),
-        edge("both are zero", [[2]], [0], [0]),
-        refused("a matrix that does not fit", [[2, 0], [0, 1]], [1], [1]),
-    ]
-    maker = lambda draw: (*_problem(draw), draw.vector(3))  # noqa: E731
-    return made("complementarity_residual", by_hand, maker)
-
-
 def _sweeps() -> list[Probe]:
     two, coupled = [[2, 0], [0, 4]], [[2, 1], [1, 2]]
     by_hand = [
@@ -105,8 +145,10 @@ def _sweeps() -> list[Probe]:
 
 
 _TABLE = {
+    "rotate_by_momentum": _turning,
+    "candidate_pairs": _pairs,
+    **world_scenes.TABLE,
     "propagate_impacts": _propagate,
     "resting_problem": _resting,
-    "complementarity_residual": _residual,
     "solve_by_sweeps": _sweeps,
 }

@@ -1,0 +1,241 @@
+"""What contacts do to velocities: impacts, and then rest (slides 21 and 22)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solutions.arrays import Array, Integers
+from solutions.friction import dissipative_impulse, point_inverse_mass
+from solutions.impulse import Body, point_velocity, relative_velocity
+from solutions.world.complementarity import solve_by_sweeps
+from solutions.world.resting import (
+    contact_jacobian,
+    inverse_mass_matrix,
+    resting_problem,
+    sequential_impulses,
+)
+from solutions.world.simple_contacts import (
+    SimpleBodies,
+    SimpleContacts,
+    SimpleState,
+)
+from solutions.world.simple_turning import inverse_inertias
+from solutions.world.vectors import tangents
+
+ROUNDS = 100
+"""How often the impacts of a step may have a turn; with e < 1 they may have no end."""
+SLOP, RECOVERY, PUSHES = 1e-6, 0.2, 20
+"""How overlaps are moved away.
+
+The depth that is left alone, m; the share of the rest that a step takes; its
+sweeps.
+"""
+
+
+def contact_frames(contacts: SimpleContacts, position: Array) -> Array:
+    """Rows of the normal and of two tangents for each contact, (m, 3, 6 n)."""
+    a, b, point, normal, *_ = contacts
+    if not len(a):
+        return np.zeros((0, 3, 6 * len(position)))
+    arms = point - position[a], point - position[b]
+    rows = [
+        contact_jacobian(a, b, each, *arms, len(position))
+        for each in (normal, *tangents(normal))
+    ]
+    return np.stack(rows, axis=1)
+
+
+def contacts_by_pair(contacts: SimpleContacts) -> list[Integers]:
+    """The numbers of the contacts of each two bodies in touch, in order."""
+    pairs = np.stack(contacts[:2], axis=-1)
+    starts = np.flatnonzero(np.any(pairs[1:] != pairs[:-1], axis=-1)) + 1
+    return [
+        each for each in np.split(np.arange(len(pairs)), starts) if len(each)
+    ]
+
+
+def collide_with_friction(
+    body_a: Body,
+    body_b: Body,
+    normal: Array,
+    restitution: float,
+    friction: float,
+) -> tuple[Array, Array, Array, Array]:
+    """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction."""
+    u = relative_velocity(
+        point_velocity(*body_a[:3]), point_velocity(*body_b[:3])
+    )
+    softness = sum(
+        point_inverse_mass(body[3], body[4], body[2])
+        for body in (body_a, body_b)
+    )
+    impulse = dissipative_impulse(u, normal, softness, restitution, friction)
+    return (*_pushed(body_a, impulse), *_pushed(body_b, -impulse))
+
+
+def _pushed(body: Body, impulse: Array) -> tuple[Array, Array]:
+    """Velocity and angular velocity of a body after an impulse at its contact."""
+    v, w, arm, inverse_mass, inverse_inertia = map(np.asarray, body)
+    turned = np.matvec(inverse_inertia, np.cross(arm, impulse))
+    return v + inverse_mass * impulse, w + turned
+
+
+def kept_impulses(
+    memory: tuple[Integers, Array] | None, contacts: SimpleContacts
+) -> Array:
+    """Impulses (m, 3) of the last step where a place still touches, N s."""
+    keys, found = contacts[-1], np.zeros((len(contacts[-1]), 3))
+    if memory is not None:
+        _, here, there = np.intersect1d(keys, memory[0], return_indices=True)
+        found[here] = memory[1][there]
+    return found
+
+
+def out_of_overlap(
+    bodies: SimpleBodies,
+    state: SimpleState,
+    contacts: SimpleContacts,
+    dt: float,
+) -> Array:
+    """How far each body moves and turns out of overlaps, (n, 6), m and rad.
+
+    A share of what will overlap at the end of the step is moved away. No
+    velocity changes, so that no kinetic energy is gained.
+    """
+    inverse_mass, moments, *_ = bodies
+    position, orientation, velocity, spin = state
+    rows = contact_frames(contacts, position)
+    motion = np.concatenate([velocity, spin], axis=-1).ravel()
+    ahead = contacts[4] + dt * (rows[:, 0] @ motion) + SLOP
+    if not np.any(ahead < 0):
+        return np.zeros((len(position), 6))
+    share = inverse_mass_matrix(
+        inverse_mass, inverse_inertias(moments, orientation)
+    )
+    least = np.where(ahead < 0, -RECOVERY * ahead, -ahead)
+    push, _ = sequential_impulses(
+        np.zeros_like(motion), rows, share, 0.0, PUSHES, least=least
+    )
+    return push.reshape(-1, 6)
+
+
+def respond(
+    bodies: SimpleBodies,
+    state: SimpleState,
+    contacts: SimpleContacts,
+    load: Array,
+    dt: float,
+    rest_speed: float,
+    sweeps: int,
+    start: Array,
+) -> tuple[Array, Array, Array]:
+    """Velocities at the end of a step, after its forces and contacts.
+
+    Parameters
+    ----------
+    bodies : inverse_mass, moments, restitution, friction, meet, kind, size
+    state : position, orientation, velocity, angular_velocity
+        Where the step begins.
+    contacts : body_a, body_b, point, normal, separation, key, with m contacts
+        Those of two bodies follow one another.
+    load : (n, 6), force and torque on each body, N and N m
+        Its weight is included.
+    dt : s
+    rest_speed : m/s
+        A contact whose points close no faster than this rests (slide 21).
+    sweeps : how often to go through the contacts in `solve_by_sweeps`
+    start : (m, 3), impulses to begin with, N s
+        Along the normal and the two directions of `contact_frames`.
+
+    Returns
+    -------
+    velocity, angular_velocity : (n, 3) each, m/s and rad/s
+    impulse : (m, 3), of all that rests or is carried, N s
+        Along the same directions as start; without those of the impacts.
+
+    Notes
+    -----
+    **Impacts.** They come first, with the velocities as they are, because an
+    impact is too short for a load to matter. Slide 21 decides about each
+    contact. Two bodies that collide at several places get one impulse, in the
+    middle of these places. The pairs have their turns one after another, and
+    again, as in `propagate_impacts`, until none of them collides or `ROUNDS`
+    are over.
+
+    **Rest.** The load would change the speeds of the contacts to G (v + M⁻¹ F
+    dt). A contact that has just collided is carried in this step, so that its
+    points part as fast as after the impacts. All others may close their gap
+    and no more. So each has a least speed, and with A and b of
+    `resting_problem` the impulses solve the problem of A and
+
+        G v + b dt − least
+
+    Where there is friction, `sequential_impulses` goes on from these impulses.
+    """
+    inverse_mass, moments, restitution, friction, *_ = bodies
+    position, orientation, velocity, spin = state
+    a, b, point, normal, separation, _ = contacts
+    inverse_inertia = inverse_inertias(moments, orientation)
+    motion = np.concatenate([velocity, spin], axis=-1)
+    rows = contact_frames(contacts, position)
+
+    def body(number: int, place: Array) -> Body:
+        arm = place - position[number]
+        return Body(
+            motion[number, :3],
+            motion[number, 3:],
+            arm,
+            inverse_mass[number],
+            inverse_inertia[number],
+        )
+
+    collided = np.zeros(len(a), dtype=bool)
+    for _ in range(ROUNDS):
+        quiet = True
+        for pair in contacts_by_pair(contacts):
+            closing = pair[rows[pair, 0] @ motion.ravel() < -rest_speed]
+            if len(closing):
+                i, j, place = (
+                    a[pair[0]],
+                    b[pair[0]],
+                    np.mean(point[closing], axis=0),
+                )
+                after = collide_with_friction(
+                    body(i, place),
+                    body(j, place),
+                    normal[pair[0]],
+                    restitution[i, j],
+                    friction[i, j],
+                )
+                motion[i], motion[j] = (
+                    np.concatenate(after[:2]),
+                    np.concatenate(after[2:]),
+                )
+                collided[pair], quiet = True, False
+        if quiet:
+            break
+
+    share, normals = (
+        inverse_mass_matrix(inverse_mass, inverse_inertia),
+        rows[:, 0],
+    )
+    matrix, gained = resting_problem(normals, share, load.ravel())
+    parting = normals @ motion.ravel()
+    least = np.where(
+        collided, np.maximum(parting, 0.0), -np.maximum(separation, 0.0) / dt
+    )
+    pressed = solve_by_sweeps(
+        matrix, parting + dt * gained - least, sweeps, start[:, 0]
+    )
+    loaded = motion.ravel() + dt * share @ load.ravel()
+    ended, impulse = (
+        loaded + share @ normals.T @ pressed,
+        pressed[:, None] * np.array([1.0, 0.0, 0.0]),
+    )
+    if np.any(friction[a, b]):
+        begin = np.concatenate([pressed[:, None], start[:, 1:]], axis=-1)
+        ended, impulse = sequential_impulses(
+            loaded, rows, share, friction[a, b], sweeps, begin, least
+        )
+    velocity, spin = np.split(ended.reshape(-1, 6), 2, axis=-1)
+    return velocity, spin, impulse

@@ -1,0 +1,146 @@
+"""What the lesson on the whole world says in numbers: its experiments, and the recordings of the engines."""
+
+from __future__ import annotations
+
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import solutions.forces
+import solutions.impulse
+import solutions.world
+from labs.building import lessons
+from reference.recording.files import content_of
+
+ENGINES = ("pybullet", "mujoco", "dart")
+
+
+@pytest.fixture(scope="module")
+def text():
+    """The lesson in one line."""
+    return " ".join(" ".join(cell.text for cell in lessons.read("world").cells).split())
+
+
+@pytest.fixture(scope="module")
+def experiments():
+    """What the cells of the lesson define, with the solutions for the student's functions. Nothing is shown."""
+    lab = SimpleNamespace(show=lambda *_, **__: None, earlier=lambda name: getattr(solutions.forces, name))
+    defined = {name: getattr(solutions.world, name) for name in solutions.world.__all__}
+    defined |= {"lab": lab, "rotation_matrix": solutions.impulse.rotation_matrix}
+    for cell in lessons.read("world").cells:
+        if cell.code and not cell.kind and re.search(r"^def |^[A-Z]+ = |^import |^from ", cell.text, re.MULTILINE):
+            exec(compile(cell.text, "lesson", "exec"), defined)
+    return SimpleNamespace(**defined)
+
+
+def printed(experiment, capsys):
+    experiment()
+    return capsys.readouterr().out
+
+
+def recorded(case, profile, quantity):
+    """A quantity of a case in each engine, as it was recorded at the profile's own timestep."""
+    family, _, name = case.partition("/")
+    taken = [content_of(engine, family)["profiles"][profile] for engine in ENGINES]
+    return [each["entries"][name][1][each["quantities"].index(quantity)] for each in taken]
+
+
+def test_the_friends_satellite_keeps_its_energy_and_turns_its_angular_momentum(experiments, capsys):
+    said = printed(experiments.friends_satellite, capsys)
+    # Turned by half a turn about ω = (1, 1, 0), L = (1, 2, 0) becomes (2, 1, 0): off by √2/√5.
+    assert f"off by up to {100 * np.sqrt(2 / 5):.0f} %" in said
+    assert float(re.findall(r"energy is off by up to (\S+) %", said)[0]) < 1e-9
+
+
+def test_the_students_satellite_keeps_its_angular_momentum_and_gains_energy_with_the_step(experiments, capsys, text):
+    said = printed(experiments.your_satellite, capsys)
+    gains = [float(each) for each in re.findall(r"energy \+(\S+) %", said)]
+    off = [float(each) for each in re.findall(r"L (\S+) off", said)]
+    assert max(off) < 1e-10  # rounding, 4000 steps of it
+    assert gains[0] / gains[1] == pytest.approx(2, rel=0.05)  # an error of the first order in the step
+    assert f"by {gains[0]:.1f} % in 20 s" in text
+
+
+def test_three_balls_break_the_mirror_and_keep_momentum_and_energy(experiments):
+    v, masses = experiments.propagate_impacts([1.0, 0.0, -1.0], [1.0, 3.0, 1.0], 1.0), np.array([1.0, 3.0, 1.0])
+    assert v == pytest.approx([-0.5, -0.25, 1.25], abs=1e-12)
+    assert masses @ v == pytest.approx(0, abs=1e-12)
+    assert masses @ v**2 == pytest.approx(2, rel=1e-12)
+
+
+def test_a_row_collides_again_after_every_pair_had_its_turn(experiments, capsys):
+    rounds = printed(experiments.a_row_of_three, capsys).splitlines()
+    assert rounds[0].split(":")[1] != rounds[1].split(":")[1] == rounds[2].split(":")[1]
+
+
+def test_the_child_lifts_the_right_end_of_the_plank(experiments, capsys):
+    said = printed(experiments.a_child_on_a_plank, capsys)
+    assert "forces (392.4, 0.0) N: off by 0.00" in said
+
+
+def test_ten_sweeps_carry_a_third_of_ten_boxes(experiments, capsys):
+    said = printed(experiments.ten_boxes, capsys)
+    assert "10 sweeps: 35.2 %" in said
+    assert "178 sweeps: 99.0 %" in said
+
+
+def test_warm_sweeps_carry_all_after_twenty_steps(experiments, capsys):
+    assert "step 20: 99." in printed(experiments.warm, capsys)
+
+
+def test_a_light_box_below_a_heavy_one_takes_463_sweeps(experiments, capsys):
+    said = printed(experiments.light_and_heavy, capsys)
+    needed = np.log(0.01) / np.log(100 / 101)  # each sweep leaves 100/101 of what is missing at the floor
+    assert f"{np.ceil(needed):.0f} sweeps" in said
+    assert "1 kg on 100 kg: 1 sweeps" in said
+
+
+def test_a_pushed_ball_rolls_if_the_floor_is_rough_enough(experiments, capsys):
+    slips = [float(each) for each in re.findall(r"slip (\S+) m/s", printed(experiments.rolls_or_slips, capsys))]
+    assert slips[0] == pytest.approx(0.125, abs=1e-4)  # all of 1/8 N s on 1 kg
+    assert slips[1] > 0.1
+    assert abs(slips[2]) < 1e-4
+
+
+def test_twice_the_looks_halve_the_depth_of_one_ball(experiments, capsys):
+    said = printed(experiments.one_ball, capsys)
+    depths = np.array([float(each) for each in re.findall(r"up to (\d+) mm deep", said)])
+    # At 4.5 m/s a ball moves so far in a step, and the last of the six heights comes near it.
+    assert np.all(depths <= 4.6e3 * np.array([0.02, 0.01, 0.005]))
+    assert depths[:-1] / depths[1:] == pytest.approx([2, 2], rel=0.15)
+
+
+def test_to_back_up_has_no_end_where_balls_come_to_rest(experiments):
+    counts = experiments.backed_up(0.5)
+    assert len(counts) == 60
+    assert counts[-1] == 1500
+    assert max(counts[:-1]) < 100
+    elastic = experiments.backed_up(1.0)
+    assert len(elastic) == 200  # balls that keep their energy never come to rest
+
+
+def test_after_the_fact_finishes_and_a_quarter_of_the_step_is_a_quarter_as_deep(experiments, capsys):
+    said = printed(experiments.slide_three, capsys)
+    first, second = (float(each) for each in re.findall(r"(\S+) mm deep", said))
+    assert 2.5 < first / second < 5.5  # the way of a step; where in its step a ball arrives is chance
+
+
+def test_the_jelly_and_the_heap_come_to_rest_above_the_floor(experiments):
+    shown = []
+    experiments.a_jelly.__globals__.update(film=lambda bodies, states, *_, **__: shown.append((bodies, states)))
+    experiments.a_jelly.__globals__.update(display=lambda *_: None)
+    experiments.a_jelly()
+    experiments.the_heap()
+    for bodies, states in shown:
+        place, _, velocity, _ = states[-1]
+        moving = bodies[0] > 0
+        assert np.all(place[moving, 2] > 0.05)
+        assert np.max(np.abs(velocity[moving])) < 0.3  # what has fallen arrives with 2 m/s and more
+
+
+def test_a_cube_of_a_tower_drifts_farthest_in_pybullet():
+    drift = recorded("stack/boxes=10", "stock", "drift")
+    assert drift[0] == pytest.approx(0.0118, abs=1e-3)
+    assert max(drift[1:]) < 1e-6

@@ -1,0 +1,114 @@
+"""A student's `step_world` runs as the world of an implementation: one scenario at a time, in plain arrays."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from reference.catalogue.scenarios import find
+from reference.comparison.results import Job
+from reference.comparison.verdicts import Verdict
+from reference.engines import load_engine
+from reference.engines.handwritten import world
+from reference.engines.implementation import Implementation
+from reference.errors import NeedsFunction, RunFailed
+from reference.running.study import run_job
+
+HEAD = "import numpy as np\nfrom solutions.forces import *\nfrom solutions.impulse import *\n"
+STUDENT = HEAD + "from solutions.world import collect_contacts, step_world\n"
+FREE_FALL = (
+    HEAD
+    + """
+def step_world(bodies, state, acceleration, dt, rules, memory=None, force=0.0, torque=0.0):
+    position, orientation, velocity, spin = state
+    velocity = velocity + dt * acceleration
+    return position + dt * velocity, orientation, velocity, spin, np.zeros(0), np.zeros((0, 3))
+"""
+)
+WRONG = HEAD + "\ndef step_world(bodies, state, *others):\n    return state\n"
+UNWRITTEN = HEAD + "\ndef step_world(bodies, state, *others):\n    raise NotImplementedError('yours')\n"
+
+
+def handed_in(folder, text):
+    path = folder / "mine.py"
+    path.write_text(text)
+    return str(path)
+
+
+def rows(folder, text, family, *cases):
+    return run_job(Job(family, "handwritten", "world", cases, handed_in(folder, text))).rows
+
+
+def trajectory(folder, text, name, **changes):
+    engine = load_engine("handwritten", Implementation(handed_in(folder, text)))
+    scenario = find(name)[1].scenarios[0]
+    return engine.run(scenario, engine.settings(scenario, "world").change(**changes))
+
+
+def test_the_rebound_is_what_the_method_predicts(tmp_path):
+    found = rows(tmp_path, STUDENT, "one-drop", "e=0.5")
+    assert {row.verdict for row in found} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION}
+
+
+def test_a_growing_push_breaks_a_slab_away_when_theory_says(tmp_path):
+    found = {row.quantity: row for row in rows(tmp_path, STUDENT, "break-away", "μ=0.3,rate=20")}
+    assert {row.verdict for row in found.values()} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}
+    assert found["break_away"].measured == pytest.approx(found["break_away"].predicted, abs=1e-6)  # s
+
+
+def test_touching_balls_pass_the_blow_on_and_no_other_reading_is_predicted(tmp_path):
+    found = {row.quantity: row for row in rows(tmp_path, STUDENT, "cradle", "5 touching")}
+    assert (found["first"].measured, found["last"].measured) == pytest.approx((0, 1), abs=1e-9)
+    assert found["first"].verdict is Verdict.SHOWN
+    assert found["off"].verdict is Verdict.PASS
+
+
+def test_the_full_world_is_told_from_the_one_of_the_lab():
+    names = "advance_world", "step_world"
+    assert Implementation("solutions").first_defined(names) == "advance_world"
+    assert Implementation("labs.desk").first_defined(names) == "step_world"
+
+
+def test_the_earlier_source_decides_which_world_runs(tmp_path):
+    both = Implementation(f"{handed_in(tmp_path, FREE_FALL)} | solutions")
+    assert both.first_defined(("advance_world", "step_world")) == "step_world"
+
+
+def test_a_first_version_without_contacts_falls(tmp_path):
+    fallen = trajectory(tmp_path, FREE_FALL, "projectile/v=12,θ=30°")
+    start, end = fallen.velocities[0, 0], fallen.velocities[-1, 0]
+    assert end[2] - start[2] == pytest.approx(-9.81 * fallen.times[-1], rel=1e-9)
+    assert len(fallen.contacts.sample) == 0
+
+
+def test_its_contacts_are_in_the_trajectory(tmp_path):
+    found = trajectory(tmp_path, STUDENT, "one-drop/e=0.5", timestep=0.005)
+    assert len(found.contacts.sample) > 0
+    assert np.allclose(np.linalg.norm(found.contacts.normal, axis=1), 1)
+
+
+def test_a_wrong_result_is_told_in_words(tmp_path):
+    with pytest.raises(RunFailed, match="must return position, orientation, velocity and angular_velocity of 2 bodies"):
+        trajectory(tmp_path, WRONG, "dropped-ball/e=0.5")
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "needs"),
+    [
+        (UNWRITTEN, "dropped-ball/e=0.5", r"^needs step_world \(world, step 1\)$"),
+        (STUDENT, "ball-in-a-bowl/depth=0.3125", "balls, boxes and planes"),
+        (STUDENT, "two-frictions/θ=18°", "one coefficient"),
+    ],
+)
+def test_what_the_world_of_the_lab_lacks_is_named(tmp_path, text, name, needs):
+    with pytest.raises(NeedsFunction, match=needs):
+        trajectory(tmp_path, text, name)
+
+
+def test_an_ensemble_that_would_take_too_long_says_so_before_its_end(tmp_path, monkeypatch):
+    monkeypatch.setattr(world, "LOOKS_AFTER", 0.0)
+    monkeypatch.setattr(world, "LONGEST", 1e-3)  # s; one run of the ball takes longer
+    engine = load_engine("handwritten", Implementation(handed_in(tmp_path, FREE_FALL)))
+    scenario = find("projectile/v=12,θ=30°")[1].scenarios[0]
+    with pytest.raises(RunFailed, match=r"too slow for 50 runs: .* 1 of them"):
+        engine.run_many([scenario] * 50, engine.settings(scenario, "world"))
