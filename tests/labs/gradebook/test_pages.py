@@ -35,6 +35,7 @@ def content(*functions: dict) -> dict:
     return {
         "identity": {"file": "a<b>.ipynb"}, "functions": list(functions), "tests": [test], "marks": marks,
         "got": sum(each["got"] for each in functions), "points": 10.0,
+        "complaints": ["collide is defined 2 times; the one at cell <3> counts"],
     }  # fmt: skip
 
 
@@ -52,6 +53,7 @@ def test_a_student_reads_what_is_wrong_where_to_read_on_and_what_it_cost():
     text = re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", page))
     assert "40.0 of 100 points; the written questions, 35 points, are still to be marked." in text
     assert "It came 3 days late, 1 of them free, so 80 % of the points are left." in text
+    assert "About your file collide is defined 2 times; the one at cell &lt;3&gt; counts" in text
     assert "normal_velocity: not right yet gives &lt;b&gt;3&lt;/b&gt;" in text
     assert (
         "Points that approach have a negative normal velocity: 1 of 3 points. It is a rate. Read on: Slides 14" in text

@@ -24,7 +24,7 @@ from reference.errors import InvalidInput
 ENOUGH = 200.0  # s: two Pythons with NumPy start in two, and took 50 with a twentieth of a processor
 PROMPTLY = 60.0  # s: on a busy machine; an idle one takes less than one, and without an end it would be for ever
 SCRIPT = """
-import os, sys, tempfile, time
+import os, signal, sys, tempfile, time
 from dataclasses import replace
 from pathlib import Path
 from labs.gradebook import book as book_module
@@ -33,6 +33,7 @@ from labs.gradebook.grading import Graded, Task, identity
 from labs.grading.judging.grade import SCHEMA, VERSION
 from labs.workers import here
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a job in a shell's background inherits as ignored
 place = Path({place!r})
 TASK = Task("", "", "impulse", "", "impulse.py", b"", "", 60.0)
 

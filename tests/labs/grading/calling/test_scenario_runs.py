@@ -9,7 +9,14 @@ import numpy as np
 import pytest
 
 from labs.grading.calling import scenario_runs
-from labs.grading.calling.scenario_runs import MOST_CALLS, SINGLE, Mixed, compared_with_theory, with_solutions
+from labs.grading.calling.scenario_runs import (
+    MOST_CALLS,
+    SINGLE,
+    WITHOUT_OTHERS,
+    Mixed,
+    compared_with_theory,
+    with_solutions,
+)
 from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.errors import FunctionRaised
 from reference.comparison.compare import compare_case
@@ -73,7 +80,7 @@ def test_a_run_of_too_many_calls_is_stopped():
 
 def test_a_run_is_skipped_if_other_topics_have_no_answers_yet(monkeypatch):
     monkeypatch.setattr(Implementation, "function", lambda self, name: (_ for _ in ()).throw(NeedsFunction("needs it")))
-    with pytest.raises(pytest.skip.Exception, match="need right functions of other labs"):
+    with pytest.raises(pytest.skip.Exception, match=WITHOUT_OTHERS):
         with_solutions(submission(), "response")
 
 
