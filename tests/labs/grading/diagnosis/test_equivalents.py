@@ -135,9 +135,13 @@ def test_a_solution_in_each_other_wording_is_right(name):
             is_right(name, (kind,))
 
 
+EXACT = ("inside_by_parity",)
+"""Decides on which side of an edge a point is, without rounding: rounded to single precision it is another point."""
+
+
 @pytest.mark.slow
 @pytest.mark.usefixtures("single_precision")
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in EXACT])
 def test_a_solution_in_single_precision_is_right(name):
     is_right(name, ("single precision",))
 
