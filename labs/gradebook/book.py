@@ -36,7 +36,7 @@ STUDENTS, WITHDRAWN, PYTHON = "students", "withdrawn", "python"
 GRADE, MEASURED, RUNS = "grade.json", "measured.json", "runs.json"
 _LOCK = ".grading"
 WORKING = ".working"
-"""The folder of the workers' temporary files. It belongs to whoever holds the lock."""
+"""The folder of the workers' temporary files. It belongs to the run that holds the lock."""
 _SAFE = re.compile(r"[^A-Za-z0-9._-]+")
 _AHEAD = 2
 """So many submissions wait for each worker: those further back are not read yet, so that memory does not grow."""

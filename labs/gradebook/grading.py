@@ -162,9 +162,7 @@ def _grade(task: Task) -> Graded:
             content["points"] = round(marks.total, 4)
             content["answers"] = answers_in(path, [question.key for question in questions(task.lab)])
             runs = scenario_runs.run(path, task.lab, _grader(), task.seconds) if task.with_runs else None
-    content["identity"]["versions"] = versions(
-        task.lab
-    )  # which differ from those before if a test was edited meanwhile
+    content["identity"]["versions"] = versions(task.lab)  # others than before if a test was edited meanwhile
     measured = {
         "seconds": time.monotonic() - began,
         "processor_seconds": time.process_time() - processor,

@@ -28,7 +28,7 @@ def chase(draw):
 
 
 @asks("seek", 4, "Full speed along the straight line to the target.")
-def test_whoever_seeks_comes_nearer_by_speed_times_time(submission, part, examples):
+def test_a_seeker_comes_nearer_by_speed_times_time(submission, part, examples):
     with part(2, "any body and any target"):
         examples.agree(submission.seek, pursued, chase, count=16, far=4)
     with part(1, "it comes nearer as fast as it can, and in the plane as well"):
@@ -55,7 +55,7 @@ def slowing(position, target, speed, radius):
 
 
 @asks("arrive", 5, "The speed is that of seeking, or as much less as the distance is less than the radius.")
-def test_whoever_arrives_has_a_speed_in_proportion_to_the_distance(submission, part, examples):
+def test_one_that_arrives_has_a_speed_in_proportion_to_the_distance(submission, part, examples):
     def drawn(draw):
         return (*chase(draw), draw.number(1, 15))
 

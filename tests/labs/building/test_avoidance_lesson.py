@@ -55,7 +55,7 @@ def test_bodies_from_three_sides_come_nearer(experiments, capsys):
     assert np.all(np.linalg.norm(ends, axis=1) < np.linalg.norm(starts, axis=1))
 
 
-def test_whoever_slows_from_half_the_radius_needed_runs_six_centimetres_past(experiments):
+def test_one_that_slows_from_half_the_radius_needed_runs_six_centimetres_past(experiments):
     assert 1e3 * experiments.past_the_target(1.0) == pytest.approx(65, abs=1)
     assert experiments.past_the_target(2.0) == 0.0  # R = 4 v τ
     assert 20 < 1e3 * experiments.past_the_target(1.3) < 40
