@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import re
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from made_lessons import experiments_of, printed, recorded, text_of
 
-import solutions.meshes
 from labs.building import lessons
 from reference.catalogue.scenarios import find
-from reference.recording.files import content_of
 from reference.running.study import plan, run_job
 from solutions.meshes import (
     cloth,
@@ -29,32 +27,12 @@ ENGINES = ("pybullet", "mujoco", "dart")
 
 @pytest.fixture(scope="module")
 def text():
-    """The lesson in one line."""
-    return " ".join(" ".join(cell.text for cell in lessons.read("meshes").cells).split())
+    return text_of("meshes")
 
 
 @pytest.fixture(scope="module")
 def experiments():
-    """What the cells of the lesson define, with the solutions for the student's functions. Nothing is shown."""
-    lab = SimpleNamespace(show=lambda *_, **__: None, run=lambda *_, **__: None)
-    defined = {name: getattr(solutions.meshes, name) for name in solutions.meshes.__all__} | {"lab": lab}
-    for cell in lessons.read("meshes").cells:
-        if cell.code and not cell.kind and re.search(r"^def |^import ", cell.text, re.MULTILINE):
-            exec(compile(cell.text, "lesson", "exec"), defined)
-    return SimpleNamespace(**defined)
-
-
-def printed(capsys, experiment):
-    capsys.readouterr()
-    experiment()
-    return capsys.readouterr().out
-
-
-def recorded(engine, case, profile, quantity):
-    """A quantity of a case, as it was recorded at the profile's own timestep."""
-    family, _, name = case.partition("/")
-    taken = content_of(engine, family)["profiles"][profile]
-    return np.array(taken["entries"][name][1][taken["quantities"].index(quantity)])
+    return experiments_of("meshes")
 
 
 def test_the_block_of_edges_ends_below_the_table(text):
