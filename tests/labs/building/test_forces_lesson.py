@@ -61,6 +61,14 @@ def test_the_printed_spring_doubles_as_its_growth_says(experiments, capsys):
     assert found[5] / found[1] == pytest.approx(18, abs=0.1)
 
 
+def test_beyond_its_limit_a_step_throws_the_ball_to_and_fro_and_farther(experiments, capsys):
+    found = np.reshape(numbers(capsys, experiments.too_long), (4, 5))
+    for dt, *last in found:
+        grows = dt > 2 * math.sqrt(2) - 2
+        assert grows == (abs(last[-1]) > 0.5)
+        assert not grows or (np.diff(np.sign(last)).all() and np.diff(np.abs(last)).min() > 0)
+
+
 def test_a_damper_shortens_the_step_and_explicit_euler_is_longer_from_058(experiments, capsys, text):
     found = numbers(capsys, experiments.with_a_damper)
     assert found[:15] == [0, 0, 2, 0.1, 0.2, 1.81, 0.5, 1, 1.236, 1, 2, 0.828, 2, 0.536, 0.472]
