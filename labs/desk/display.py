@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 DPI = 110
 _LEVEL = 0.02
 """A curve that changes by less than this share of its size counts as level."""
-_TITLE, _LABEL = 60, 38
+_TITLE, _LABEL = 60, 34
 """So many letters of a title have room above a curve, and of a label beside it; a longer one takes two lines."""
 _HALF = "flex:1 1 400px;min-width:min(300px,100%);max-width:640px"
 """Replay and curve are side by side if there is room for 400 px each, otherwise one below the other."""
