@@ -31,7 +31,7 @@ _MEANINGS = {
     Verdict.SHOWN: "theory has no number",
 }
 """The legend below a table; an implementation without a number says itself why it has none."""
-_NEAR = "(✓)", "within the tolerance of theory, but not to the last digit what the method gives"
+_NEAR = "✓~", "within the tolerance of theory, but not to the last digit what the method gives"
 """Of a student's own number that fails for its last digits: a ✗ beside an error that is allowed would contradict it."""
 _METHODS = {STEP: "at the step", SLIDE: "by the slide’s T"}
 """Methods of hand-written code in words."""
