@@ -54,7 +54,7 @@ def field(figure: Figure) -> None:
         for far, long in ((0.6, 0.5), (1.15, 0.16)):
             arrow(plan, far * unit(angle), long * unit(angle), BLUE)
     flier = np.array([-1.25, 0.0])
-    arrow(plan, flier, (-0.55, 0), BLUE, "field", at=0.9, beside=(4, 11))
+    arrow(plan, flier, (-0.55, 0), BLUE, "field", at=0.9, beside=(-12, 9))
     arrow(plan, flier, (0.55, 0), ORANGE, "pull", at=0.7, beside=(0, 10))
     plan.plot(*flier, "o", color=INK, markersize=7, zorder=6)
     plan.plot(2.2, 0, "*", color=INK, markersize=14)

@@ -124,6 +124,26 @@ def ball(figure: Figure) -> None:
     arrow(axes, (1.3, 0.45), (0, -0.9), GREY, "$v$", at=0.5, beside=(10, 0), style="--")
 
 
+def box(figure: Figure) -> None:
+    """A ball, the cube with the same moments of inertia, and the ball whose drag the cube gets.
+
+    A ball of radius r, and over it a square with the side 1.55 r, the cube that has the ball's moments of inertia.
+    The corners of the square are outside the ball, and its sides are well inside. A dashed circle as wide as the square
+    is the smaller ball whose drag the cube gets.
+    """
+    axes = board(figure, (-2.8, 2.8), (-1.9, 1.9))
+    half = 1.4 * np.sqrt(0.6)
+    axes.add_patch(Circle((0, 0), 1.4, fc=LIGHT, ec=INK))
+    axes.add_patch(Rectangle((-half, -half), 2 * half, 2 * half, fc="none", ec=BLUE, lw=2))
+    axes.add_patch(Circle((0, 0), half, fc="none", ec=ORANGE, ls="--", lw=2))
+    axes.plot([0, -1.4 * np.cos(0.6)], [0, 1.4 * np.sin(0.6)], color=INK)
+    axes.plot(0, 0, ".", color=INK)
+    axes.annotate("$r$", (-0.45, 0.45), color=INK, ha="center")
+    axes.annotate("cube", (half + 0.08, half), color=BLUE, va="bottom")
+    axes.annotate("ball", (1.4, -0.75), color=INK)
+    axes.annotate("drag of\nthis ball", (0, -0.6), color=ORANGE, ha="center", va="center")
+
+
 def wind(figure: Figure) -> None:
     """Wind on somebody who moves.
 
@@ -162,5 +182,5 @@ def network(figure: Figure) -> None:
     axes.annotate("pulls of the springs", (-1.5, -0.25), color=ORANGE, ha="center")
 
 
-LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (pull, euler, damper, roots, ball, wind, network)}
+LAB_FIGURES: dict[str, Draw] = {draw.__name__: draw for draw in (pull, euler, damper, roots, ball, box, wind, network)}
 """The figures by name."""

@@ -20,12 +20,13 @@ from reference.report.sections import Line
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import CaseRuns
+    from reference.comparison.curves import Series
 
 DPI = 110
 _LEVEL = 0.02
 """A curve that changes by less than this share of its size counts as level."""
-_TITLE = 60
-"""So many letters of a title have room above a curve; a longer one takes two lines."""
+_TITLE, _LABEL = 60, 34
+"""So many letters of a title have room above a curve, and of a label beside it; a longer one takes two lines."""
 _HALF = "flex:1 1 400px;min-width:min(300px,100%);max-width:640px"
 """Replay and curve are side by side if there is room for 400 px each, otherwise one below the other."""
 
@@ -101,12 +102,22 @@ def curve(runs: CaseRuns) -> Picture | None:
             sparse = figures.staggered(len(axes.lines))
             axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
         _widen(axes)
-        axes.set(title=textwrap.fill(runs.title, _TITLE), xlabel="time, s", ylabel=runs.family.curve.y_label)
+        beside = textwrap.fill(runs.family.curve.y_label, _LABEL)
+        axes.set(title=textwrap.fill(runs.title, _TITLE), xlabel="time, s", ylabel=beside)
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format="png")
-    names = ", ".join(who(line) for line in plotted)
-    return Picture(content.getvalue(), f"[{runs.family.curve.y_label} over time: {names}]")
+    told = "; ".join(f"{who(line)} {_course(line.result.series)}" for line in plotted)
+    return Picture(content.getvalue(), f"[{runs.family.curve.y_label} over time: {told}]")
+
+
+def _course(series: Series | None) -> str:
+    """Where a curve begins and ends, and between which values it stays, for readers who cannot see it."""
+    values = series.values if series else ()
+    if not len(values):
+        return "has no values"
+    first, last, low, high = (f"{each:.3g}" for each in (values[0], values[-1], min(values), max(values)))
+    return f"from {first} to {last}, between {low} and {high}"
 
 
 def _widen(axes: Any) -> None:

@@ -131,11 +131,11 @@ def replay_beside(
     scenario = first_scenario(case)
     times = np.arange(round(scenario.duration * rate_of(scenario)) + 1) / rate_of(scenario)
     found = {YOURS: Poses(YOURS, bodies, times, *poses(times))}
-    _, _, results = recorded(case, engines, STOCK if stock else TUNED)
+    family, chosen, results = recorded(case, engines, STOCK if stock else TUNED)
     for result in results:
         title = f"{result.title}, stock" if stock else result.title
         found[result.job.engine] = unpack(result.poses[0], title, result.recording)
-    title = f"{case}: {', '.join(each.title for each in found.values())}"
+    title = f"{family.title}, {chosen.name}: {', '.join(each.title for each in found.values())}"
     whole = clip(scenario, found, title)
     return Replay(
         f'<div style="max-width:640px">{page.frame(seen_into(whole) if oblique else whole)}</div>',

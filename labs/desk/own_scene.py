@@ -47,11 +47,9 @@ def in_motion(places: ArrayLike, duration: float, radius: ArrayLike, ends: Array
     shown = np.stack([np.interp(times, known, along) for along in flat.T], axis=-1).reshape(len(times), count, 3)
     upright = np.broadcast_to([1.0, 0.0, 0.0, 0.0], (len(times), count, 4))
     names = tuple(body.name for body in scenario.bodies)
-    whole = clip(scenario, {YOURS: Poses(YOURS, names, times, shown, upright)}, "your own scene")
-    return Replay(
-        f'<div style="max-width:640px">{page.frame(whole)}</div>',
-        f"[replay: {YOURS}, {count} balls and {len(pairs)} springs]",
-    )
+    told = f"{count} balls and {len(pairs)} springs"
+    whole = clip(scenario, {YOURS: Poses(YOURS, names, times, shown, upright)}, f"your own scene, {told}")
+    return Replay(f'<div style="max-width:640px">{page.frame(whole)}</div>', f"[replay: {YOURS}, {told}]")
 
 
 def _scenario(start: Array, duration: float, radii: Array, pairs: Array) -> Scenario:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from html import escape
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ import numpy as np
 from labs.desk.display import Replay
 from labs.desk.own_motion import YOURS, first_scenario, replay_beside
 from labs.desk.stock import recorded
+from labs.desk.tables import Table, Tables, capital
 from labs.grading.diagnosis.probes.one_case import one_case
 from reference import lecture
 from reference.arrays import Array
@@ -61,22 +61,17 @@ def walkers(case: str) -> Walkers:
 
 @dataclass(frozen=True, eq=False)
 class SteeredRun:
-    """Bodies that your rules steer, beside recordings. numbers: each quantity's title with unit, and who has which."""
+    """Bodies that your rules steer, beside recordings. numbers: a table for each quantity, of who has which value."""
 
     replay: Replay
-    numbers: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    numbers: tuple[Table, ...]
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        lines, rows = [self.replay.text], []
-        for title, values in self.numbers:
-            wide = max(len(who) for who, _ in values)
-            lines += [title, *(f"  {who:{wide}}  {value}" for who, value in values)]
-            rows.append(f'<tr><th colspan="2" style="text-align:left">{escape(title)}</th></tr>')
-            rows += [
-                f'<tr><td style="text-align:left">{escape(who)}</td><td>{escape(value)}</td></tr>'
-                for who, value in values
-            ]
-        return {"text/plain": "\n".join(lines), "text/html": f"{self.replay.markup}<table>{''.join(rows)}</table>"}
+        below = Tables("", self.numbers, ())._repr_mimebundle_()
+        return {
+            "text/plain": f"{self.replay.text}{below['text/plain']}",
+            "text/html": f"{self.replay.markup}{below['text/html']}",
+        }
 
 
 class _Own(Implementation):
@@ -125,9 +120,8 @@ def steered(case: str, functions: Sequence[Function], engines: Sequence[str], qu
         theory = quantity.theory(chosen)
         values += [("theory", theory)] if theory is not None else []
         unit = f", {quantity.unit}" * bool(quantity.unit)
-        numbers.append(
-            (f"{quantity.title}{unit}", tuple((who, f"{value:.5g}".replace("-", "−")) for who, value in values))
-        )
+        rows = tuple((who, f"{value:.5g}".replace("-", "−")) for who, value in values)
+        numbers.append(Table(capital(quantity.title), ("", f"value{unit}"), rows))
     return SteeredRun(_replay(case, run, engines), tuple(numbers))
 
 

@@ -33,6 +33,8 @@ from reference.viewer.tracks import unpack
 
 STROKES = ("-", "--", ":", "-.")
 MARKERS = ("o", "s", "^", "D", "v", "P")
+_LOWEST, _AROUND = 2.4, 1.6
+"""Inches: the height of a picture of ways that are long and flat, and what title, axis and legend take of a height."""
 
 
 @dataclass(frozen=True)
@@ -120,7 +122,7 @@ def from_above(ways: Mapping[str, Array]) -> Picture:
     from matplotlib.figure import Figure
 
     with matplotlib.rc_context(figures.STYLE):
-        figure = Figure(figsize=(figures.WIDTH, figures.HEIGHT), layout="constrained", dpi=DPI)
+        figure = Figure(figsize=(figures.WIDTH, _height(ways)), layout="constrained", dpi=DPI)
         axes = figure.add_subplot()
         for place, (name, way) in enumerate(ways.items()):
             points = np.asarray(way, dtype=float)[:, :2]
@@ -133,6 +135,13 @@ def from_above(ways: Mapping[str, Array]) -> Picture:
         figure.savefig(content, format="png")
     ends = "; ".join(f"{name} ends at ({_metres(way[-1][0])}, {_metres(way[-1][1])}) m" for name, way in ways.items())
     return Picture(content.getvalue(), f"[from above: {ends}]")
+
+
+def _height(ways: Mapping[str, Array]) -> float:
+    """Inches for a picture of ways at equal scales: long, flat ones would leave most of a high picture empty."""
+    across, up = np.ptp(np.concatenate([np.asarray(way, dtype=float)[:, :2] for way in ways.values()]), axis=0)
+    flat = figures.WIDTH * up / across if across > 0 else np.inf
+    return float(np.clip(flat + _AROUND, _LOWEST, figures.HEIGHT))
 
 
 def _metres(coordinate: float) -> str:

@@ -31,6 +31,8 @@ _MEANINGS = {
     Verdict.SHOWN: "theory has no number",
 }
 """The legend below a table; an implementation without a number says itself why it has none."""
+_NEAR = "✓~", "within the tolerance of theory, but not to the last digit what the method gives"
+"""Of a student's own number that fails for its last digits: a ✗ beside an error that is allowed would contradict it."""
 _METHODS = {STEP: "at the step", SLIDE: "by the slide’s T"}
 """Methods of hand-written code in words."""
 _NEEDS = "needs "
@@ -85,7 +87,7 @@ def _lines(notes: Sequence[str]) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class Tables:
-    """Tables side by side, as far as there is room. title, notes: of all of them together."""
+    """Tables side by side, as far as there is room. title, notes: of all of them together; the title may be empty."""
 
     title: str
     tables: tuple[Table, ...]
@@ -97,7 +99,8 @@ class Tables:
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         markup = "".join("".join(table.markup()) for table in self.tables)
         row = f'<div style="display:flex;flex-wrap:wrap;gap:8px 40px">{markup}</div>'
-        return {"text/plain": str(self), "text/html": "".join([*_lines([self.title]), row, *_lines(self.notes)])}
+        above = _lines([self.title] if self.title else [])
+        return {"text/plain": str(self), "text/html": "".join([*above, row, *_lines(self.notes)])}
 
 
 def tables(runs: CaseRuns, quantities: Sequence[str], predictions: Sequence[Prediction] = ()) -> Table | Tables:
@@ -173,7 +176,7 @@ def _cells(line: Line, row: Row, timestep: float) -> tuple[str, ...]:
     value = _value(row.measured) if row.measured is not None else "none"
     row = _by_theory(row)
     error = error_of(row) if row.error is not None else ""
-    return who(line), value, error, MARKS[_verdict(row)], _allowed(row), f"{1000 * timestep:.3g} ms"
+    return who(line), value, error, _marked(line, row)[0], _allowed(row), f"{1000 * timestep:.3g} ms"
 
 
 def _by_theory(row: Row) -> Row:
@@ -181,9 +184,13 @@ def _by_theory(row: Row) -> Row:
     return replace(row, scale=abs(row.expected)) if row.scale and row.expected is not None else row
 
 
-def _verdict(row: Row) -> Verdict:
-    """The verdict as a student sees it: what its method predicts is no ✓ where theory has no number."""
-    return Verdict.SHOWN if row.expected is None and row.verdict is Verdict.PASS else row.verdict
+def _marked(line: Line, row: Row) -> tuple[str, str]:
+    """The mark of a row and what it means; what its method predicts is no ✓ where theory has no number."""
+    own = line.result.job.engine == HANDWRITTEN and row.verdict is Verdict.FAIL
+    if own and row.error is not None and row.tolerance is not None and abs(row.error) <= row.tolerance:
+        return _NEAR
+    verdict = Verdict.SHOWN if row.expected is None and row.verdict is Verdict.PASS else row.verdict
+    return MARKS[verdict], _MEANINGS.get(verdict, "")
 
 
 def _allowed(row: Row) -> str:
@@ -218,9 +225,9 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
     rows = [(line, row) for line in runs.lines for row in line.result.rows if row.quantity in quantities]
     if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in runs.lines):
         yield _what_a_check_says(runs)
-    verdicts = dict.fromkeys(_verdict(row) for _, row in rows if _verdict(row) in _MEANINGS)
-    if verdicts:
-        yield f"({'; '.join(f'{MARKS[verdict]} {_MEANINGS[verdict]}' for verdict in verdicts)})"
+    meanings = dict.fromkeys(f"{mark} {meaning}" for mark, meaning in (_marked(*each) for each in rows) if meaning)
+    if meanings:
+        yield f"({'; '.join(meanings)})"
     for note in dict.fromkeys(row.note for _, row in rows if row.note):
         names = dict.fromkeys(who(line) for line, row in rows if row.note == note)
         yield f"{' and '.join(names)}: {note}"

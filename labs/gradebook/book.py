@@ -90,8 +90,9 @@ class Book:
     def keep(self, graded: Graded) -> None:
         """Write a grade; what was there before stays until the new one is whole."""
         place = self.place(graded.student)
-        place.mkdir(parents=True, exist_ok=True, mode=0o700)
-        (self.folder / PYTHON).mkdir(exist_ok=True, mode=0o700)
+        self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        for folder in (place.parent, place, self.folder / PYTHON):
+            folder.mkdir(exist_ok=True, mode=0o700)
         write_private(self.folder / PYTHON / f"{place.name}.py", graded.code)
         write_private(place / MEASURED, as_json(graded.measured))
         if graded.runs is not None:

@@ -90,9 +90,8 @@ def _given(lab: str) -> frozenset[str]:
 
 
 def _bare(node: ast.stmt) -> str:
-    """A statement without its docstrings, in one layout."""
-    bare = ast.parse(ast.unparse(node))
-    for each in ast.walk(bare):
-        if isinstance(each, ast.FunctionDef | ast.ClassDef) and ast.get_docstring(each) is not None:
+    """A statement in one layout, without its docstrings, which are taken out of the node."""
+    for each in ast.walk(node):
+        if isinstance(each, ast.FunctionDef | ast.ClassDef) and ast.get_docstring(each, clean=False) is not None:
             each.body = each.body[1:] or [ast.Pass()]
-    return ast.unparse(bare)
+    return ast.unparse(ast.Module([node], []))

@@ -13,9 +13,8 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from labs.grading.calling import endings
+from labs.grading.calling.compiling import Beginning
 from labs.grading.calling.load_failures import Failures, is_line
 from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import LOST, Ended, Host, Limits, Process
@@ -57,9 +56,12 @@ class Call:
         limits: Limits,
         patience: Patience,
         fresh: Callable[[], AbstractContextManager[Call]],
+        beginning: Beginning | None = None,
     ) -> None:
         self._submission, self._limits, self._patience, self._fresh = submission, limits, patience, fresh
+        self._beginning = beginning or Beginning(submission.text, limits.printed)
         self._process: Process | None = None
+        self._asks_for_code = False
         self._left = limits.test  # s of its process's own time that are left to this test
         self._number = 0
         self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls sent whose answers are not read yet
@@ -75,9 +77,9 @@ class Call:
     def start(self, host: Host) -> None:
         """Start the process and send it the text, which it runs at once; `begin` reads whether it could be loaded."""
         self._process = host.start(self._limits)
-        text = np.frombuffer(self._submission.text.encode(), np.uint8)  # as bytes, whose commas nobody counts
+        self._asks_for_code = self._beginning.asks
         with self._starting():
-            self._process.send(messages.pack((text, self._limits.printed)), _STARTING)
+            self._process.send(self._beginning.message(), _STARTING)
 
     def begin(self, host: Host, least: Tier, unloadable: StudentError | None = None) -> StudentError | None:
         """Have the process run the submission's text; returns why it cannot be loaded, which every call then raises.
@@ -121,12 +123,19 @@ class Call:
             raise GraderFailed(f"a test's process did not start: {why}") from None
 
     def _load(self) -> None:
-        match self._exchange("the submission, on loading,", b""):
+        loading, forged = "the submission, on loading,", "the submission wrote into the grader's pipe on loading"
+        if self._asks_for_code:  # the process sends it before it runs any of the submission
+            match self._exchange(loading, b""):
+                case (str(), code):
+                    self._beginning.keep(code)
+                case _:
+                    raise self._lose(NoAnswer(forged))
+        match self._exchange(loading, b""):
             case (str(), list(names), list(failures)):
                 self._names = frozenset(name for name in names if isinstance(name, str))
                 self._failures = Failures(failures)
             case _:
-                raise self._lose(NoAnswer("the submission wrote into the grader's pipe on loading"))
+                raise self._lose(NoAnswer(forged))
 
     @property
     def gone(self) -> bool:

@@ -25,6 +25,9 @@ from pathlib import Path
 
 import numpy as np
 
+if sys.platform == "linux":
+    import fcntl
+
 from labs.grading.calling.processes import LOST, Ended, Limits, Process
 from labs.grading.errors import GraderFailed
 from labs.grading.worker import system_calls
@@ -39,6 +42,7 @@ _INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
 _START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _PATIENCE = 30.0  # s for the nursery, which nothing untrusted can keep waiting
+_PIPE = 2**18  # bytes that a process's pipe holds: its text and code, so that we need not wait until it reads them
 _UNHEARD = 32  # reports of ended processes that may wait in the nursery's socket, which holds some hundreds
 
 
@@ -91,6 +95,8 @@ class NurseryHost:
         folder = str(Path(self._folder, str(number)))
         plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
         (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
+        with contextlib.suppress(OSError):  # one user's pipes may hold so much and no more
+            fcntl.fcntl(requests, fcntl.F_SETPIPE_SZ, _PIPE)
         try:
             self._ask({"start": number, "plan": asdict(plan)}, [their_requests, their_answers])
         except OSError:

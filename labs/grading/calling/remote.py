@@ -17,6 +17,7 @@ from typing import Self
 
 from labs.grading.budget import Budget
 from labs.grading.calling.calls import Call
+from labs.grading.calling.compiling import Beginning
 from labs.grading.calling.hosts import LoneHost, NurseryHost
 from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Host, Limits
@@ -74,6 +75,7 @@ class Remote:
         self._unloadable: StudentError | None = None
         self.budget = budget or Budget(self.grader.limits.submission)
         self._patience = Patience(self.budget, submission.uses)
+        self._beginning = Beginning(submission.text, self.grader.limits.printed, code=True)
         self._next: Call | None = None
 
     @property
@@ -118,7 +120,7 @@ class Remote:
             raise
 
     def _new(self) -> Call:
-        return Call(self.submission, self.grader.limits, self._patience, self.fresh)
+        return Call(self.submission, self.grader.limits, self._patience, self.fresh, self._beginning)
 
     def _get_ready(self) -> None:
         if self._next is None:

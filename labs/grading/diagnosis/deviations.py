@@ -89,11 +89,12 @@ class Deviation:
 def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
     """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own.
 
-    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to, and in
-    `call.printed` what it printed. It is told which calls come next, `call.foresee`, so that it can work ahead.
+    A `call` that runs elsewhere cannot write to these inputs. It says in `call.changed` which arguments the function
+    has written to, and in `call.printed` what it printed. It is told which calls come next, `call.foresee`, so that it
+    can work ahead.
     """
-    given = [_copied(probe.arguments) for probe in probes]
     foresee = getattr(call, "foresee", None)
+    given = [probe.arguments if foresee else _copied(probe.arguments) for probe in probes]
     answers = []
     for at, probe in enumerate(probes):
         if foresee:
@@ -110,7 +111,9 @@ def _asked(call: Callable[..., Any], function: str, arguments: tuple[Any, ...], 
     except Exception as error:
         unwritten = isinstance(error, NotImplementedError | NeedsFunction)
         return Answer(error=str(error) if isinstance(error, CollisionsError) else one_line(error), unwritten=unwritten)
-    changed = bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments)
+    changed = bool(getattr(call, "changed", ())) or (
+        arguments is not probe.arguments and not _same(arguments, probe.arguments)
+    )
     return Answer(value, changed=changed, printed=getattr(call, "printed", ""))
 
 

@@ -25,15 +25,20 @@ if TYPE_CHECKING:
     from labs.grading.judging.score_sheet import Sheet
 
 VISIBLE, HIDDEN = "visible", "hidden"
-_OPTIONS = (
-    "-q", "--noconftest", "--disable-plugin-autoload", "-p", "labs.grading.judging.plugin", "-p", "no:cacheprovider",
-    "-p", "no:unraisableexception", "-p", "no:threadexception",
-    "--import-mode=importlib", "--strict-markers", "-W", "error",
+_UNUSED = (
+    "cacheprovider", "debugging", "doctest", "faulthandler", "junitxml", "legacypath", "logging", "pastebin",
+    "setuponly", "setupplan", "stepwise", "subtests", "threadexception", "unraisableexception",
 )  # fmt: skip
-"""Only the tests and the plugin: other plugins and the settings of the project's own tests would take time.
+"""Parts of pytest that are left out: registering each takes time for every submission.
 
 In a notebook the tests run in the kernel. What goes wrong in its other threads is no mistake of the student's.
 """
+_OPTIONS = (
+    "-q", "--noconftest", "--disable-plugin-autoload", "-p", "labs.grading.judging.plugin",
+    *(option for name in _UNUSED for option in ("-p", f"no:{name}")),
+    "--import-mode=importlib", "--strict-markers", "-W", "error",
+)  # fmt: skip
+"""Only the tests and the plugin: other plugins and the settings of the project's own tests would take time."""
 _FINE = (0, 1)  # all tests passed, some failed
 _TAIL = 400  # characters of what pytest printed, where it could not run
 

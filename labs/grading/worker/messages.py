@@ -14,13 +14,13 @@ The worker loads this module as well, so it needs only the standard library and 
 
 from __future__ import annotations
 
-import base64
 import binascii
 import enum
 import json
 import math
 import re
 import struct
+from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
@@ -62,15 +62,18 @@ def unpack(body: bytes) -> Any:
     """The value of a message without its header; raises `Refused` for anything that `pack` does not write."""
     _check_size(body)
     try:
-        return decoded(json.loads(body.decode("ascii"), parse_constant=_no_constant))
+        return decoded(_DECODER.decode(body.decode("ascii")))
     except (ValueError, RecursionError, OverflowError) as error:
         raise Refused(f"not a message: {error}") from None
 
 
 def encoded(value: Any, depth: int = 0) -> Any:
     """The value in terms of JSON. Lists, tuples, arrays, scalars and odd floats become lists that begin with a tag."""
-    value = _as_plain(value)
     exact = type(value)
+    if exact is np.ndarray:
+        return ["array", _dtype_name(value.dtype), list(value.shape), _text_of(value)]
+    if exact is float:
+        return value if math.isfinite(value) else ["float", struct.pack(">d", value).hex()]
     if value is None or exact is bool:
         return value
     if exact is str:
@@ -79,18 +82,16 @@ def encoded(value: Any, depth: int = 0) -> Any:
         if value.bit_length() > INTEGER_LIMIT:
             raise Refused(f"an integer of {value.bit_length()} bits")
         return value
-    if exact is float:
-        return value if math.isfinite(value) else ["float", struct.pack(">d", value).hex()]
     if exact is tuple or exact is list:
         if depth == _DEEPEST:
             raise Refused(f"a {exact.__name__} nested more than {_DEEPEST} deep")
         _short(value, PARTS_LIMIT, exact.__name__, "parts")
         return [exact.__name__, [encoded(part, depth + 1) for part in value]]
-    if exact is np.ndarray:
-        return ["array", _dtype_name(value.dtype), list(value.shape), _text_of(value)]
     if exact in _SCALARS:
         array = np.asarray(value)  # its dtype has room for a character even if the text is empty
         return ["scalar", _dtype_name(array.dtype), [], _text_of(array)]
+    if (plain := _as_plain(value)) is not value:
+        return encoded(plain, depth)
     raise Refused(f"an object of type {_type_name(exact)}")
 
 
@@ -102,15 +103,15 @@ def decoded(parts: Any, depth: int = 0) -> Any:
         if type(parts) is int and parts.bit_length() > INTEGER_LIMIT:
             raise Refused(f"not a message: an integer of {parts.bit_length()} bits")
         return parts
-    match parts:
+    match parts:  # the most frequent ones first
+        case ["array", str(name), list(shape), str(text)]:
+            return _array(name, shape, text)
         case ["tuple", list(members)] if depth < _DEEPEST:
             return tuple([decoded(part, depth + 1) for part in members])
         case ["list", list(members)] if depth < _DEEPEST:
             return [decoded(part, depth + 1) for part in members]
         case ["float", str(digits)]:
             return _odd_float(digits)
-        case ["array", str(name), list(shape), str(text)]:
-            return _array(name, shape, text)
         case ["scalar", str(name), [], str(text)]:
             return _array(name, [], text)[()]
     raise Refused("not a message: it holds a list without a known tag, or one nested too deep")
@@ -148,7 +149,7 @@ def _dtype_name(dtype: np.dtype[Any]) -> str:
 def _text_of(array: np.ndarray[Any, Any]) -> str:
     if array.nbytes > MESSAGE_LIMIT:
         raise Refused(f"an array of {array.nbytes} bytes; at most {MESSAGE_LIMIT} are sent")
-    return base64.b64encode(array.tobytes()).decode("ascii")
+    return binascii.b2a_base64(array.tobytes(), newline=False).decode("ascii")
 
 
 def _odd_float(digits: str) -> float:
@@ -162,12 +163,15 @@ def _odd_float(digits: str) -> float:
 def _array(name: str, shape: list[Any], text: str) -> np.ndarray[Any, Any]:
     """An array that owns its memory and can be written to."""
     dtype = _plain_dtype(name)
-    if len(shape) > 32 or not all(type(axis) is int and 0 <= axis <= MESSAGE_LIMIT for axis in shape):
+    if len(shape) > 32:
         raise Refused("not a message: no such shape")
-    if math.prod(axis or 1 for axis in shape) > MESSAGE_LIMIT:  # no bytes, but rows without end
-        raise Refused(f"not a message: no such shape as {tuple(shape)}")
+    for axis in shape:
+        if type(axis) is not int or not 0 <= axis <= MESSAGE_LIMIT:
+            raise Refused("not a message: no such shape")
+    if math.prod(shape) > MESSAGE_LIMIT or (0 in shape and math.prod(filter(None, shape)) > MESSAGE_LIMIT):
+        raise Refused(f"not a message: no such shape as {tuple(shape)}")  # no bytes, but rows without end
     try:
-        raw = base64.b64decode(text, validate=True)
+        raw = binascii.a2b_base64(text, strict_mode=True)
     except binascii.Error as error:
         raise Refused(f"not a message: {error}") from None
     if len(raw) != math.prod(shape) * dtype.itemsize:
@@ -177,6 +181,7 @@ def _array(name: str, shape: list[Any], text: str) -> np.ndarray[Any, Any]:
     return array
 
 
+@lru_cache(maxsize=256)
 def _plain_dtype(name: str) -> np.dtype[Any]:
     if not _DTYPE.fullmatch(name):  # NumPy's own reading knows much more, warns of some of it, and takes its time
         raise Refused(f"not a message: dtype {name[:20]!r}")
@@ -209,6 +214,9 @@ def _check_size(body: bytes) -> None:
 
 def _no_constant(name: str) -> Any:
     raise Refused(f"not a message: {name}")
+
+
+_DECODER = json.JSONDecoder(parse_constant=_no_constant)
 
 
 def _type_name(exact: type) -> str:

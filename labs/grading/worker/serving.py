@@ -13,12 +13,13 @@ import builtins
 import difflib
 import io
 import itertools
+import marshal
 import os
 import sys
 import time
 import traceback
 from collections.abc import Collection, Iterator
-from types import ModuleType
+from types import CodeType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -62,6 +63,11 @@ class Printed(io.TextIOBase):
             self._kept += len(part)
         return len(text)
 
+    @property
+    def anything(self) -> bool:
+        """Whether anything was written since the last time, such as Python's warning about a text that it compiles."""
+        return bool(self._parts)
+
     def taken(self) -> str:
         """The text since the last time, as far as it was kept."""
         text = "".join(self._parts)
@@ -72,16 +78,20 @@ class Printed(io.TextIOBase):
 def serve(requests: int, answers: int, sealing: Sealing) -> None:
     """Report how far the process is shut in, load the text that comes first, then answer every call.
 
-    The report also has the process's number and the s that it computed so far, for the grader that measures it.
+    The report also has the process's number and the s that it computed so far, for the grader that measures it. With
+    the text comes its code; or True, and then this process sends the code before it runs any of it; or None.
     """
-    text, limit = _receive(requests)
+    text, limit, code = _receive(requests)
     source = text.tobytes().decode()
     lacking = preloading.lacking(source)
     _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), lacking, os.getpid(), time.process_time()))
     printed = Printed(limit)
     sys.stdout = sys.stderr = printed
     module = ModuleType(TITLE)
-    failures = load(source, module)
+    compiled = marshal.loads(code.tobytes()) if isinstance(code, np.ndarray) else _compiled(source)
+    if code is True:
+        _send(answers, ("compiled", None if printed.anything else _for_others(compiled)))
+    failures = load(source, module, compiled)
     _send(answers, ("loaded", [name for name, value in vars(module).items() if callable(value)], failures))
     while True:
         try:
@@ -98,18 +108,35 @@ def serve(requests: int, answers: int, sealing: Sealing) -> None:
         _write(answers, message)
 
 
-def load(text: str, module: ModuleType) -> list[Failure]:
-    """Run the text in the module; a statement that fails costs only the names that it defines.
+def _compiled(text: str) -> CodeType | None:
+    """The code of the text; None if Python cannot read all of it."""
+    try:
+        code: CodeType = compile(text, TITLE, "exec", _FLAGS, dont_inherit=True)
+    except Exception:
+        return None
+    return code
 
-    Returns the names, the exception's type and message, and the line of each failure.
+
+def _for_others(code: CodeType | None) -> Any:
+    """Code as bytes for other processes, which then need not compile the text; None if there is none, or too much."""
+    try:
+        made = marshal.dumps(code) if code else b""
+    except ValueError:  # it is nested too deep
+        return None
+    return np.frombuffer(made, np.uint8) if 0 < len(made) < messages.MESSAGE_LIMIT // 2 else None
+
+
+def load(text: str, module: ModuleType, code: CodeType | None) -> list[Failure]:
+    """Run the code of the text in the module; a statement that fails costs only the names that it defines.
+
+    Without code, because Python cannot read all of the text, each statement is run alone. Returns the names, the
+    exception's type and message, and the line of each failure.
     """
     sys.modules[module.__name__] = module  # as any import does; a dataclass looks itself up there
+    if code is None:
+        return _load_rest(text, module)
     try:
-        whole = compile(text, TITLE, "exec", _FLAGS, dont_inherit=True)
-    except Exception:
-        return _load_rest(text, module)  # which finds the statement
-    try:
-        exec(whole, module.__dict__)
+        exec(code, module.__dict__)
     except BaseException as error:
         return _load_rest(text, module, error)
     return []

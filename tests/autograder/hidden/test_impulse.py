@@ -257,8 +257,9 @@ def gained(one, velocity, spin):
     v, w, r, share, turning = one
     momentum = (velocity - v) / share if share else np.zeros(3)
     own = np.linalg.solve(turning, spin - w) if turning.any() else np.zeros(3)
-    energy = sum((v + t * (velocity - v)) @ momentum + (w + t * (spin - w)) @ own for t in (np.arange(100) + 0.5) / 100)
-    return momentum, own - np.cross(r, momentum), energy / 100
+    t = (np.arange(100)[:, None] + 0.5) / 100
+    energy = np.mean((v + t * (velocity - v)) @ momentum + (w + t * (spin - w)) @ own)
+    return momentum, own - np.cross(r, momentum), energy
 
 
 def account(a, b, after):

@@ -4,41 +4,30 @@ from __future__ import annotations
 
 import math
 import re
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from made_lessons import experiments_of, recorded, text_of
 
 import solutions.avoidance
-from labs.building import lessons
 from labs.desk.own_steering import walkers
-from reference.recording.files import content_of
 
 ENGINES = ("pybullet", "mujoco", "dart")
 
 
 @pytest.fixture(scope="module")
 def text():
-    """The lesson in one line."""
-    return " ".join(" ".join(cell.text for cell in lessons.read("avoidance").cells).split())
+    return text_of("avoidance")
 
 
 @pytest.fixture(scope="module")
 def experiments():
-    """What the cells of the lesson define, with the solutions for the student's functions. Nothing is shown."""
-    lab = SimpleNamespace(show=lambda *_, **__: None)
-    defined = {name: getattr(solutions.avoidance, name) for name in solutions.avoidance.__all__} | {"lab": lab}
-    for cell in lessons.read("avoidance").cells:
-        if cell.code and not cell.kind and re.search(r"^def |^[A-Z]+ = |^import ", cell.text, re.MULTILINE):
-            exec(compile(cell.text, "lesson", "exec"), defined)
-    return SimpleNamespace(**defined)
+    return experiments_of("avoidance")
 
 
-def recorded(case, profile, quantity):
-    """A quantity of a case in each engine, as it was recorded at the profile's own timestep."""
-    family, _, name = case.partition("/")
-    taken = [content_of(engine, family)["profiles"][profile] for engine in ENGINES]
-    return [each["entries"][name][1][each["quantities"].index(quantity)] for each in taken]
+def in_engines(case, profile, quantity):
+    """A quantity of a case in each engine."""
+    return [recorded(engine, case, profile, quantity).item() for engine in ENGINES]
 
 
 def test_the_copied_line_leads_away_from_the_target(experiments):
@@ -85,7 +74,7 @@ def test_beside_a_wall_a_body_rests_where_the_field_carries_its_pull(experiments
 
 
 def test_two_streams_that_heed_nobody_overlap_by_44_centimetres(text):
-    found = recorded("crossing-streams/θ=70°,straight on", "tuned", "overlap")
+    found = in_engines("crossing-streams/θ=70°,straight on", "tuned", "overlap")
     assert found == pytest.approx([0.444921] * 3, abs=1e-6)
     assert "overlap by 0.44 m" in text
     both = walkers("crossing-streams/θ=70°,straight on")
@@ -133,8 +122,8 @@ def test_all_three_rules_make_several_flocks_and_two_make_them_coincide(experime
 
 
 def test_a_weak_separation_lets_boids_overlap_and_a_strong_one_does_not():
-    assert recorded("flock-past-pillar/w=0.1", "tuned", "overlap") == pytest.approx([0.065] * 3, abs=1e-4)
-    assert recorded("flock-past-pillar/w=0.4", "tuned", "overlap") == [0, 0, 0]
+    assert in_engines("flock-past-pillar/w=0.1", "tuned", "overlap") == pytest.approx([0.065] * 3, abs=1e-4)
+    assert in_engines("flock-past-pillar/w=0.4", "tuned", "overlap") == [0, 0, 0]
 
 
 def test_two_who_both_make_everything_sway_and_two_halves_do_not(experiments):
@@ -153,7 +142,7 @@ def test_exactly_head_on_two_walkers_stop_and_a_micrometre_frees_them(experiment
 
 
 def test_damped_walkers_arrive_earlier():
-    tuned, stock = (recorded("crossing-streams/θ=70°", profile, "arrival") for profile in ("tuned", "stock"))
+    tuned, stock = (in_engines("crossing-streams/θ=70°", profile, "arrival") for profile in ("tuned", "stock"))
     assert tuned == pytest.approx([tuned[0]] * 3, abs=1e-9)
     assert tuned[0] - stock[0] == pytest.approx(0.9, abs=0.02)
 

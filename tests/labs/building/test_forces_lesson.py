@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 import re
 import warnings
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from made_lessons import experiments_of, printed, text_of
 
 import solutions.forces
-from labs.building import lessons
 from reference.recording.files import content_of
 from solutions.forces import spring_step_limit, terminal_velocity, terminal_velocity_corrected
 
@@ -20,33 +19,23 @@ DOWN = np.array([0.0, 0.0, -9.81])
 
 @pytest.fixture(scope="module")
 def text():
-    """The lesson in one line."""
-    return " ".join(" ".join(cell.text for cell in lessons.read("forces").cells).split())
+    return text_of("forces")
 
 
 @pytest.fixture(scope="module")
 def experiments():
-    """What the cells of the lesson define, with the solutions for the student's functions. Nothing is shown."""
-    lab = SimpleNamespace(show=lambda *_, **__: None)
-    defined = {name: getattr(solutions.forces, name) for name in solutions.forces.__all__} | {"lab": lab}
-    for cell in lessons.read("forces").cells:
-        if cell.code and not cell.kind and re.search(r"^def |^import ", cell.text, re.MULTILINE):
-            exec(compile(cell.text, "lesson", "exec"), defined)
-    defined["display"] = lambda *_: None
-    return SimpleNamespace(**{name: value for name, value in defined.items() if name != "__builtins__"})
+    return experiments_of("forces")
 
 
-def printed(capsys, experiment):
+def numbers(capsys, experiment):
     """The numbers that an experiment prints."""
-    capsys.readouterr()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the solutions warn where Stokes' law ends
-        experiment()
-    return [float(number) for number in re.findall(r"[-+]?\d+(?:\.\d+)?(?:e[-+]\d+)?", capsys.readouterr().out)]
+        return [float(each) for each in re.findall(r"[-+]?\d+(?:\.\d+)?(?:e[-+]\d+)?", printed(capsys, experiment))]
 
 
 def test_the_slides_two_numbers_differ_and_all_bodies_fall_alike(experiments, capsys):
-    assert printed(capsys, experiments.on_the_ground) == [1, 9.820, 100, 9.820, 32, 9.754]
+    assert numbers(capsys, experiments.on_the_ground) == [1, 9.820, 100, 9.820, 32, 9.754]
 
 
 def test_ten_revolutions_end_where_the_lesson_says(experiments):
@@ -58,22 +47,30 @@ def test_ten_revolutions_end_where_the_lesson_says(experiments):
 
 
 def test_a_swing_gains_what_the_factor_says(experiments, capsys, text):
-    low, high, end, *semi = printed(capsys, experiments.one_swing)
+    low, high, end, *semi = numbers(capsys, experiments.one_swing)
     assert (low, high, end) == pytest.approx((1.04, 1.04**31, 1.04**31), abs=6e-3)
     assert semi == pytest.approx([0.91, 1.11, 1.01], abs=6e-3)
     assert "off by up to 11 %" in text
 
 
 def test_the_printed_spring_doubles_as_its_growth_says(experiments, capsys):
-    found = printed(capsys, experiments.as_printed)
+    found = numbers(capsys, experiments.as_printed)
     for c, time in zip(found[::2], found[1::2], strict=True):
         growth = math.sqrt((c / 2) ** 2 + 100) - c / 2
         assert time == pytest.approx(math.log(2) / growth, abs=6e-4)
     assert found[5] / found[1] == pytest.approx(18, abs=0.1)
 
 
+def test_beyond_its_limit_a_step_throws_the_ball_to_and_fro_and_farther(experiments, capsys):
+    found = np.reshape(numbers(capsys, experiments.too_long), (4, 5))
+    for dt, *last in found:
+        grows = dt > 2 * math.sqrt(2) - 2
+        assert grows == (abs(last[-1]) > 0.5)
+        assert not grows or (np.diff(np.sign(last)).all() and np.diff(np.abs(last)).min() > 0)
+
+
 def test_a_damper_shortens_the_step_and_explicit_euler_is_longer_from_058(experiments, capsys, text):
-    found = printed(capsys, experiments.with_a_damper)
+    found = numbers(capsys, experiments.with_a_damper)
     assert found[:15] == [0, 0, 2, 0.1, 0.2, 1.81, 0.5, 1, 1.236, 1, 2, 0.828, 2, 0.536, 0.472]
     below, above = found[17], found[21]
     assert below < 1e-9
@@ -84,26 +81,26 @@ def test_a_damper_shortens_the_step_and_explicit_euler_is_longer_from_058(experi
 
 
 def test_darts_spring_keeps_73_percent_of_a_swing(experiments, capsys):
-    found = printed(capsys, experiments.dart_swings)
+    found = numbers(capsys, experiments.dart_swings)
     kept = 1.01 ** (-63 / 2)
     assert found[1::2] == pytest.approx([kept, kept**2, kept**3], abs=2e-3)  # largest of seven places
     assert kept == pytest.approx(0.73, abs=2e-3)
 
 
 def test_a_grain_of_sand_explodes_just_beyond_two_relaxation_times(experiments, capsys):
-    found = printed(capsys, experiments.grain_of_sand)
+    found = numbers(capsys, experiments.grain_of_sand)
     speeds = dict(zip(found[::2], found[1::2], strict=True))
     assert [speeds[share] for share in (0.1, 1.5, 1.99)] == pytest.approx([8.992] * 3, abs=1e-3)
     assert min(abs(speeds[2.01]), abs(speeds[2.1])) > 1e8
 
 
 def test_buoyancy_and_reynolds_as_the_lesson_says(experiments, capsys, text):
-    found = printed(capsys, experiments.in_glycerine)
+    found = numbers(capsys, experiments.in_glycerine)
     assert found[2::3] == pytest.approx([1.193, 32.5, -0.0009533], rel=1e-3)
     for size, speed in ((0.05, 2.205e-3), (0.1, 8.098e-3), (0.2, 2.464e-2), (1.0, 0.1577)):
         true = -terminal_velocity_corrected(5e-4 * size, 2650.0, 1e3, 1e-3, DOWN)[2]
         assert speed == pytest.approx(true, rel=5e-4)
-    assert printed(capsys, experiments.sand)[-2:] == pytest.approx([5.7, 160], rel=0.01)
+    assert numbers(capsys, experiments.sand)[-2:] == pytest.approx([5.7, 160], rel=0.01)
     assert "five times off at Re = 158" in text
 
 
@@ -134,7 +131,7 @@ def test_a_chain_comes_to_rest_in_the_stream(experiments):
 
 
 def test_a_burst_keeps_the_momentum(experiments, capsys):
-    momentum, energy = printed(capsys, experiments.burst)
+    momentum, energy = numbers(capsys, experiments.burst)
     assert abs(momentum) < 1e-12  # a thousand roundings of some N s
     assert energy > 10
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from made_lessons import text_of
 
 from labs.building import lessons, notebooks
 from labs.building.notebooks import WIDTH
@@ -14,7 +15,7 @@ from reference import lecture
 
 @pytest.fixture(scope="module")
 def text() -> str:
-    return " ".join(" ".join(cell.text for cell in lessons.read("impulse").cells).split())
+    return text_of("impulse")
 
 
 def test_the_lesson_tells_the_struck_point_from_the_still_one(text):

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from types import SimpleNamespace
 
-import numpy as np
 import pytest
+from made_lessons import experiments_of, printed, recorded, text_of
 
-import solutions.sweeping
-from labs.building import lessons
 from labs.desk.own_sweeps import passes
 from reference.catalogue.scenarios import find
-from reference.recording.files import content_of
 from reference.running.study import plan, run_job
 from solutions.sweeping import missed_share
 
@@ -23,32 +19,12 @@ BALLS = 29
 
 @pytest.fixture(scope="module")
 def text():
-    """The lesson in one line."""
-    return " ".join(" ".join(cell.text for cell in lessons.read("sweeping").cells).split())
+    return text_of("sweeping")
 
 
 @pytest.fixture(scope="module")
 def experiments():
-    """What the cells of the lesson define, with the solutions for the student's functions. Nothing is shown."""
-    lab = SimpleNamespace(show=lambda *_, **__: None, sweep=lambda *_, **__: None)
-    defined = {name: getattr(solutions.sweeping, name) for name in solutions.sweeping.__all__} | {"lab": lab}
-    for cell in lessons.read("sweeping").cells:
-        if cell.code and not cell.kind and re.search(r"^def |^[A-Z]+ = |^import ", cell.text, re.MULTILINE):
-            exec(compile(cell.text, "lesson", "exec"), defined)
-    return SimpleNamespace(**defined)
-
-
-def printed(capsys, experiment):
-    capsys.readouterr()
-    experiment()
-    return capsys.readouterr().out
-
-
-def recorded(engine, case, profile, quantity):
-    """A quantity of each scenario of a case, as it was recorded at the profile's own timestep."""
-    family, _, name = case.partition("/")
-    taken = content_of(engine, family)["profiles"][profile]
-    return np.array(taken["entries"][name][1][taken["quantities"].index(quantity)])
+    return experiments_of("sweeping")
 
 
 def test_most_pairs_pass_in_stock_engines(text):

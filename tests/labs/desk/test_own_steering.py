@@ -28,13 +28,14 @@ def test_your_rules_steer_the_bodies_as_the_labs_own_do_in_engines():
     run = steered(
         "crossing-streams/θ=70°,straight on", [arrive, steering_force], ("mujoco", "dart"), ("overlap", "arrived")
     )
-    (overlap, values), (arrived, counts) = run.numbers
-    assert (overlap, arrived) == ("deepest overlap, m", "at their goals")
-    assert values == tuple((who, "0.44492") for who in ("yours", "MuJoCo*", "DART*", "theory"))
-    assert {count for _, count in counts} == {"8"}
+    overlap, arrived = run.numbers
+    assert (overlap.title, overlap.headings) == ("Deepest overlap", ("", "value, m"))
+    assert (arrived.title, arrived.headings) == ("At their goals", ("", "value"))
+    assert overlap.rows == tuple((who, "0.44492") for who in ("yours", "MuJoCo*", "DART*", "theory"))
+    assert {count for _, count in arrived.rows} == {"8"}
     shown = run._repr_mimebundle_()
-    assert shown["text/plain"].startswith("[replay: yours, MuJoCo*, DART*]\ndeepest overlap, m\n  yours    0.44492")
-    assert "<table>" in shown["text/html"]
+    assert shown["text/plain"].startswith("[replay: yours, MuJoCo*, DART*]\nDeepest overlap\n         value, m\nyours ")
+    assert shown["text/html"].count("<table") == 2
 
 
 def for_one_alone(position, target, max_speed, slowing_radius):
@@ -47,7 +48,7 @@ def test_a_rule_for_one_body_alone_steers_all_of_them():
     for_one_alone.__name__ = "arrive"
     case = "crossing-streams/θ=70°,straight on"
     (numbers,) = steered(case, [for_one_alone, steering_force], ("mujoco",), ("overlap",)).numbers
-    assert numbers[1][0] == ("yours", "0.44492")
+    assert numbers.rows[0] == ("yours", "0.44492")
 
 
 def steering_force_to_the_left(*_):

@@ -47,6 +47,14 @@ def test_ways_from_above_say_where_they_end(stock):
     assert f'alt="{picture.text}"' in picture._repr_mimebundle_()["text/html"]
 
 
+def test_long_flat_ways_have_a_low_picture():
+    low, high = (
+        int.from_bytes(from_above({"mine": np.array([[0.0, 0.0], [4.0, up]])}).png[20:24])  # the height of a PNG
+        for up in (0.1, 4.0)
+    )
+    assert low < 0.7 * high
+
+
 def test_what_is_not_there_is_named(stock):
     with pytest.raises(InvalidInput, match="'pybullet' is none of these runs: mujoco, dart"):
         stock.way("pybullet")

@@ -89,8 +89,8 @@ def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
 def test_the_text_is_sent_once_and_each_call_with_number_and_arguments():
     call, process = begun(value(1, 5.0), value(2, 6.0), text="x = 1\n")
     assert (call("f", 1.0, [2]), call("g", b=3.0)) == (5.0, 6.0)
-    text, printed = messages.unpack(process.sent[0][messages.HEADER :])
-    assert (text.tobytes(), printed, len(process.sent)) == (b"x = 1\n", 50, 1)
+    text, printed, code = messages.unpack(process.sent[0][messages.HEADER :])
+    assert (text.tobytes(), printed, code, len(process.sent)) == (b"x = 1\n", 50, None, 1)
     assert process.asked == [None, None, ("call", 1, "f", (1.0, [2]), []), ("call", 2, "g", (), [("b", 3.0)])]
     assert (call.defines("f"), call.defines("g"), call.gone) == (True, False, False)
 
