@@ -60,7 +60,7 @@ def test_the_students_satellite_keeps_its_angular_momentum_and_gains_energy_with
     off = [float(each) for each in re.findall(r"L (\S+) off", said)]
     assert max(off) < 1e-10  # rounding, 4000 steps of it
     assert gains[0] / gains[1] == pytest.approx(2, rel=0.05)  # an error of the first order in the step
-    assert f"by {gains[0]:.1f} % in 20 s" in text
+    assert f"by {gains[1]:.1f} % in 20 s" in text
 
 
 def test_three_balls_break_the_mirror_and_keep_momentum_and_energy(experiments):
@@ -111,12 +111,12 @@ def test_twice_the_looks_halve_the_depth_of_one_ball_and_backing_up_leaves_none(
         np.array([row[1:] for row in rows if row[0] == name], float) for name in ("after the fact", "backed up")
     )
     # At 4.5 m/s a ball moves so far in a step, and the last of the six heights comes near it.
-    assert np.all(after[:, 1] <= 4.6e3 * np.array([0.02, 0.01, 0.005]))
-    assert after[:-1, 1] / after[1:, 1] == pytest.approx([2, 2], rel=0.15)
+    assert np.all(after[:, 1] <= 4.6e3 * np.array([0.02, 0.01]))
+    assert after[:-1, 1] / after[1:, 1] == pytest.approx([2], rel=0.15)
     assert np.all(backed[:, 0] - after[:, 0] <= 2)
     assert np.all(backed[:, 1] == 0)
     # The apex is looked for once in a step: g Δt²/8 of 1/4 m, in per cent.
-    assert np.all(backed[:, 2] <= 0.05 + 100 * 9.81 * np.array([0.02, 0.01, 0.005]) ** 2 / 8 / 0.25)
+    assert np.all(backed[:, 2] <= 0.05 + 100 * 9.81 * np.array([0.02, 0.01]) ** 2 / 8 / 0.25)
 
 
 def test_to_back_up_has_no_end_where_balls_come_to_rest(experiments):
