@@ -106,7 +106,7 @@ def test_a_pushed_ball_rolls_if_the_floor_is_rough_enough(experiments, capsys):
 
 def test_twice_the_looks_halve_the_depth_of_one_ball_and_backing_up_leaves_none(experiments, capsys):
     said = printed(experiments.one_ball, capsys)
-    rows = re.findall(r"(after the fact|backed up) *(\d+) looks: *(\d+) mm deep, *(\S+) % off", said)
+    rows = re.findall(r"(after the fact|backed up), (\d+) looks: (\d+) mm deep, (\S+) % off", said)
     after, backed = (
         np.array([row[1:] for row in rows if row[0] == name], float) for name in ("after the fact", "backed up")
     )
