@@ -82,29 +82,32 @@ def plank(figure: Figure) -> None:
 def timeline(figure: Figure) -> None:
     """The order of one step.
 
-    Five boxes from left to right, with arrows between them: contacts, where the step begins; impacts, with the old
-    velocities; loads, weight and forces for the time dt; rest, impulses so that nothing sinks in; motion, with the new
-    velocities. Impacts and rest, the two that contacts decide, have a thick orange frame.
+    Five boxes one after another, three in an upper row and two in a lower one, with arrows from each to the next:
+    contacts, where the step begins; impacts, with the old velocities; loads, weight and forces for the time dt; rest,
+    impulses so that nothing sinks in; motion, with the new velocities. Impacts and rest, the two that contacts decide,
+    have a thick orange frame.
     """
-    axes = board(figure, (-3.4, 3.4), (-0.9, 0.9))
-    parts = (("contacts", "where it\nbegins"), ("impacts", "with the old\nvelocities"), ("loads", "for the\ntime dt"),
-             ("rest", "nothing\nsinks in"), ("motion", "with the new\nvelocities"))  # fmt: skip
-    for number, (name, words) in enumerate(parts):
-        x = -3.3 + 1.36 * number
-        axes.add_patch(
-            Rectangle(
-                (x, -0.3),
-                1.14,
-                0.6,
-                fc=LIGHT,
-                ec=ORANGE if name in ("impacts", "rest") else INK,
-                lw=2.6 if name in ("impacts", "rest") else 1.2,
-            )
-        )
-        axes.annotate(name, (x + 0.57, 0.05), ha="center", va="center", weight="bold", size=10)
-        axes.annotate(words, (x + 0.57, -0.55), ha="center", va="center", color=INK, size=8.5)
-        if number < len(parts) - 1:
-            arrow(axes, (x + 1.16, 0), (0.18, 0), INK)
+    axes = board(figure, (-3.4, 3.4), (-2.0, 1.8))
+    parts = (
+        ("1 contacts", "where it begins", (-2.3, 0.9)),
+        ("2 impacts", "old velocities", (0, 0.9)),
+        ("3 loads", "for the time dt", (2.3, 0.9)),
+        ("4 rest", "nothing sinks in", (-1.15, -1.1)),
+        ("5 motion", "new velocities", (1.15, -1.1)),
+    )
+    for name, words, (x, y) in parts:
+        decided = name in ("2 impacts", "4 rest")
+        looks = {"ec": ORANGE, "lw": 3} if decided else {"ec": INK, "lw": 1.2}
+        axes.add_patch(Rectangle((x - 0.9, y - 0.4), 1.8, 0.8, fc=LIGHT, **looks))
+        axes.annotate(name, (x, y), ha="center", va="center", weight="bold", size=14)
+        axes.annotate(words, (x, y - 0.65), ha="center", va="center", color=INK, size=12)
+    for start, along in (
+        ((-1.4, 0.9), (0.5, 0)),
+        ((0.9, 0.9), (0.5, 0)),
+        ((1.35, 0.4), (-1.65, -1.05)),
+        ((-0.25, -1.1), (0.5, 0)),
+    ):
+        arrow(axes, start, along, INK)
 
 
 def own_engine(figure: Figure) -> None:
