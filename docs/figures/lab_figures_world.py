@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from blackboard import BLUE, GREY, INK, LIGHT, ORANGE, Draw, arrow, board, unit
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, Polygon, Rectangle
+from matplotlib.patches import Arc, Circle, Polygon, Rectangle
 
 from labs.desk.own_world import BALL, BOX, FLOOR, PLANE, thing, world
 from solutions.forces import total_force
@@ -32,16 +32,16 @@ def tumbling(figure: Figure) -> None:
         momentum = 1.5 * unit(90)
         own = turn @ momentum / np.array([0.6, 1.8])
         arrow(axes, (0, 0), momentum, ORANGE, "$L$", at=0.9, beside=(-11, 0))
-        arrow(axes, (0, 0), 0.75 * own @ turn, BLUE, "$\\omega$", at=0.9, beside=(12, 0))
+        arrow(axes, (0, 0), 0.75 * own @ turn, BLUE, "$\\omega$", beside=(3, 9))
         axes.annotate(name, (0, -1.6), ha="center", color=GREY, size=10)
 
 
 def reach(figure: Figure) -> None:
     """A turned rectangle, and the box along the axes around it.
 
-    A rectangle with the half edges h and k is turned by the angle a. The dashed box along the axes touches its four
-    corners. Half the width of the box is the sum of two pieces, one of each edge, drawn one after the other from the
-    middle to the right.
+    A rectangle with the half edges h and k is turned by the angle a, so that h points to the upper right and k to the
+    upper left. The dashed box along the axes touches its four corners. Half the width of the box is the reach. It is
+    drawn as two arrows, one after the other, from the middle to the right.
     """
     axes = board(figure, (-2.9, 2.9), (-2.0, 2.0))
     h, k, angle = 1.7, 0.8, 28
@@ -54,7 +54,10 @@ def reach(figure: Figure) -> None:
     arrow(axes, (0, 0), k * turn[1], INK, "$k$", at=0.6, beside=(-10, 0))
     first = h * np.cos(np.radians(angle))
     arrow(axes, (0, 0), (first, 0), BLUE)
-    arrow(axes, (first, 0), (far[0] - first, 0), ORANGE, "reach", at=0.0, beside=(0, -12))
+    arrow(axes, (first, 0), (far[0] - first, 0), ORANGE)
+    axes.annotate("reach", (far[0] / 2 - 0.2, -0.2), ha="center", va="center", size=11)
+    axes.add_patch(Arc((0, 0), 1.1, 1.1, theta1=0, theta2=angle, color=GREY, lw=1.4))
+    axes.annotate("$a$", 0.72 * unit(angle / 2), ha="center", va="center", color=GREY, size=11)
 
 
 def plank(figure: Figure) -> None:
@@ -79,30 +82,41 @@ def plank(figure: Figure) -> None:
 def timeline(figure: Figure) -> None:
     """The order of one step.
 
-    Five boxes from left to right, with arrows between them: contacts, where the step begins; impacts, with the old
-    velocities; loads, weight and forces for the time dt; rest, impulses so that nothing sinks in; motion, with the new
-    velocities. The two boxes in the middle, loads and rest, have the velocities of the end of the step.
+    Five boxes one after another, three in an upper row and two in a lower one, with arrows from each to the next:
+    contacts, where the step begins; impacts, with the old velocities; loads, weight and forces for the time dt; rest,
+    impulses so that nothing sinks in; motion, with the new velocities. Impacts and rest, the two that contacts decide,
+    have a thick orange frame.
     """
-    axes = board(figure, (-3.4, 3.4), (-0.9, 0.9))
-    parts = (("contacts", "where it begins"), ("impacts", "old velocities"), ("loads", "for dt"), ("rest", "impulses"),
-             ("motion", "new velocities"))  # fmt: skip
-    for number, (name, words) in enumerate(parts):
-        x = -3.3 + 1.36 * number
-        axes.add_patch(
-            Rectangle((x, -0.3), 1.14, 0.6, fc=LIGHT, ec=ORANGE if name in ("impacts", "rest") else INK, lw=1.6)
-        )
-        axes.annotate(name, (x + 0.57, 0.05), ha="center", va="center", weight="bold", size=9)
-        axes.annotate(words, (x + 0.57, -0.55), ha="center", va="center", color=GREY, size=8)
-        if number < len(parts) - 1:
-            arrow(axes, (x + 1.16, 0), (0.18, 0), INK)
+    axes = board(figure, (-3.4, 3.4), (-2.0, 1.8))
+    parts = (
+        ("1 contacts", "where it begins", (-2.3, 0.9)),
+        ("2 impacts", "old velocities", (0, 0.9)),
+        ("3 loads", "for the time dt", (2.3, 0.9)),
+        ("4 rest", "nothing sinks in", (-1.15, -1.1)),
+        ("5 motion", "new velocities", (1.15, -1.1)),
+    )
+    for name, words, (x, y) in parts:
+        decided = name in ("2 impacts", "4 rest")
+        looks = {"ec": ORANGE, "lw": 3} if decided else {"ec": INK, "lw": 1.2}
+        axes.add_patch(Rectangle((x - 0.9, y - 0.4), 1.8, 0.8, fc=LIGHT, **looks))
+        axes.annotate(name, (x, y), ha="center", va="center", weight="bold", size=14)
+        axes.annotate(words, (x, y - 0.65), ha="center", va="center", color=INK, size=12)
+    for start, along in (
+        ((-1.4, 0.9), (0.5, 0)),
+        ((0.9, 0.9), (0.5, 0)),
+        ((1.35, 0.4), (-1.65, -1.05)),
+        ((-0.25, -1.1), (0.5, 0)),
+    ):
+        arrow(axes, start, along, INK)
 
 
 def own_engine(figure: Figure) -> None:
     """What the simulator of the lab does: a heap, a jelly and a brick.
 
-    Three pictures from the side, each drawn at several instants, the last one darkest. Left: eight balls and a box have
-    fallen between two walls and lie in a heap. Middle: a cube of eight balls and springs falls on a floor and comes
-    to rest on it. Right: a brick that is thrown with a spin about its middle axis turns over.
+    Left, from the side: eight balls and a box have fallen between walls and lie in a heap. Middle, from the side: a
+    cube of eight balls and springs falls, drawn pale, and stands on the floor, drawn dark. Right, from above the side:
+    a brick that spins about its middle axis, at four instants with the numbers 1 to 4. One of its long narrow faces
+    is dark blue. It is on top at first. At the end it is below and out of sight: the brick has turned over.
     """
     for axes, draw in zip(figure.subplots(1, 3, width_ratios=(1, 1, 1.3)), (_heap, _jelly, _brick), strict=True):
         axes.set_aspect("equal")
@@ -177,10 +191,22 @@ def _jelly(axes: Any) -> None:
 
 
 def _brick(axes: Any) -> None:
-    brick = thing(BOX, (0.3, 0.05, 0.15), 1.0, (0, 0, 0), velocity=(1.1, 0, 2.2), spin=(0.2, 0.1, 6.0))
-    bodies, states = _run([brick], 0.004, 110, weight=5.0)
-    for number in range(0, 111, 22):
-        _outline(axes, BOX, bodies[6][0], states[number][0][0], states[number][1][0], 0.3 + 0.006 * number)
+    """Four instants, each half a turn after the one before, seen from above the side."""
+    bodies, states = _run([thing(BOX, (0.3, 0.05, 0.15), 1.0, spin=(0.2, 0.1, 6.0))], 0.004, 375, weight=0.0)
+    tilt = np.radians(30)
+    sight = np.array([0, np.cos(tilt), -np.sin(tilt)])
+    right, up = np.array([1.0, 0, 0]), np.array([0, np.sin(tilt), np.cos(tilt)])
+    for number, step in enumerate((0, 130, 260, 375)):
+        turn = rotation_matrix(states[step][1][0])
+        corners = (BOX_VERTICES * bodies[6][0]) @ turn.T
+        at = np.array([0.8 * (number % 2), -0.7 * (number // 2)])
+        for face in BOX_FACES:
+            normal = np.mean(corners[face], axis=0)
+            if normal @ sight < 0:
+                shown = at + corners[face] @ np.stack([right, up], axis=-1)
+                colour = BLUE if normal @ turn[:, 2] > 0.1 else LIGHT
+                axes.add_patch(Polygon(shown, fc=colour, ec=INK, lw=1.2, joinstyle="round"))
+        axes.annotate(str(number + 1), at - (0, 0.34), ha="center", va="center", color=GREY, size=8)
     axes.autoscale_view()
 
 

@@ -211,8 +211,8 @@ def sequential_impulses(
     )
     impulses = np.array(np.broadcast_to(start, (len(rows), 3)), dtype=float)
     wanted = np.broadcast_to(finite("least", least), len(rows))
-    # The velocities that unit impulses give, (m, 3, d), and what they change at
-    # their own place, (m, 3, 3).
+    # The velocities that unit impulses give, (m, 3, d), and what they change
+    # at their own place, (m, 3, 3).
     answers = rows @ np.asarray(inverse_mass, dtype=float)
     v += np.tensordot(impulses, answers, axes=2)
     own = answers @ rows.mT

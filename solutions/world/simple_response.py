@@ -74,7 +74,7 @@ def collide_with_friction(
 
 
 def _pushed(body: Body, impulse: Array) -> tuple[Array, Array]:
-    """Velocity and angular velocity of a body after an impulse at its contact."""
+    """Velocity and spin of a body after an impulse at its contact."""
     v, w, arm, inverse_mass, inverse_inertia = map(np.asarray, body)
     turned = np.matvec(inverse_inertia, np.cross(arm, impulse))
     return v + inverse_mass * impulse, w + turned
