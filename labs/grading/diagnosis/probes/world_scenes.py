@@ -126,7 +126,7 @@ def _collecting() -> list[Probe]:
         plane = thing(PLANE, draw.unit(), position=draw.vector(2))
         return *world([balls[0], boxes[0], plane, balls[1], boxes[1]]), draw.number(0.01, 0.3)
 
-    return made("collect_contacts", by_hand, maker, count=6, single=range(3))
+    return made("collect_contacts", by_hand, maker, count=9, single=range(3))
 
 
 # What contacts do in a step
@@ -281,7 +281,7 @@ def _stepping() -> list[Probe]:
                       draw.vector(), draw.vector(2))]),
         draw.vector(), 0.125, rules,
     )  # fmt: skip
-    return made("step_world", by_hand, maker, count=4, single=range(5))
+    return made("step_world", by_hand, maker, count=9, single=range(5))
 
 
 TABLE = {"collect_contacts": _collecting, "respond": _responding, "step_world": _stepping}
