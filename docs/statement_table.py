@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
+from labs.building.excerpts import TopicExcerpts
 from reference.lecture import STATEMENTS, TOPICS, Statement, functions_of
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -27,6 +28,10 @@ Each statement of Rick Parent's *Collisions* (CIS 682): what the slide says, wha
 into code, the tests that fail when its formula is broken and what they are judged by, the scenarios that put it to the
 test in hand-written code and three engines, and a figure. `python docs/statement_table.py` writes this page from
 `reference/lecture/functions.py`, the marks in `tests/`, `docs/statement_engines.py` and `docs/figures/`.
+
+*Labs* are those whose functions belong to the statement, with the steps in which they come. *Graded* counts the
+functions that a student writes for it and that tests judge. Where nobody writes a function of the statement, it counts,
+after *within*, the written functions that need one. *Read* means that its functions are only shown.
 
 The columns of the four implementations count *scenarios*. The mark of a scenario is that of the worst of its numbers;
 further down, the section of each statement has a count of all its numbers. The hand-written code runs by the method
@@ -114,6 +119,35 @@ def _functions(number: int) -> list[tuple[str, str]]:
     return [(entry.name, _file_of(entry.topic, entry.name)) for entry in entries]
 
 
+def _labs(number: int) -> str:
+    """The labs that have functions of a statement, each with the steps in which these come."""
+    found = {
+        topic.name: sorted({entry.step for entry in functions_of(topic.name) if entry.statement == number})
+        for topic in TOPICS
+    }
+    return "; ".join(f"{topic} {', '.join(map(str, steps))}" for topic, steps in found.items() if steps)
+
+
+def _graded(number: int) -> str:
+    """How many functions a student writes for a statement; else how many need one of it; else that it is read."""
+    own = {entry.name for topic in TOPICS for entry in functions_of(topic.name) if entry.statement == number}
+    written = [entry for topic in TOPICS for entry in functions_of(topic.name) if entry.role == "written"]
+    direct = [entry for entry in written if entry.name in own]
+    if direct:
+        return str(len(direct))
+    indirect = sum(bool(own & _needed(entry.topic, entry.name)) for entry in written)
+    return f"within {indirect}" if indirect else "read"
+
+
+@functools.cache
+def _needed(topic: str, name: str) -> frozenset[str]:
+    """The names that a solution needs, directly or through others."""
+    return frozenset(each for excerpt in _excerpts(topic).needed([name]) for each in excerpt.defines)
+
+
+_excerpts = functools.cache(TopicExcerpts.of)
+
+
 def _file_of(topic: str, name: str) -> str:
     found = getattr(importlib.import_module(f"solutions.{topic}"), name)
     return found.__module__.replace(".", "/") + ".py"
@@ -123,14 +157,18 @@ def _overview(tests: list[Test], drawn: list[tuple[int, str, str]]) -> str:
     engines = statement_engines()
     names = [engines.title(name) for name in engines.IMPLEMENTATIONS]
     lines = [
-        "| # | statement | topic | functions | tests | oracles | errata shown | " + " | ".join(names) + " | figures |",
-        "|---|---|---|---|---|---|---|" + "---|" * len(names) + "---|",
+        "| # | statement | topic | labs | graded | functions | tests | oracles | errata shown | "
+        + " | ".join(names)
+        + " | figures |",
+        "|---|---|---|---|---|---|---|---|---|" + "---|" * len(names) + "---|",
     ]
     for entry in STATEMENTS:
         own = [test for test in tests if test.statement == entry.number]
         judged = [test for test in own if test.oracle]
         shown = len(own) - len(judged) if entry.erratum else "–"
         counts = (
+            _labs(entry.number),
+            _graded(entry.number),
             len(_functions(entry.number)),
             len(judged),
             len({test.oracle for test in judged}),

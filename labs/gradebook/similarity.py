@@ -41,14 +41,21 @@ def own_code(path: Path, lab: str) -> str:
 def function_in(code: str, name: str) -> str:
     """A function of some code, after the helpers that it uses; without other functions of the lab. Empty if missing.
 
-    Of several definitions of a name the last one counts.
+    Of several definitions of a name the last one counts. What another lab gives to its students is nobody's answer: a
+    function with such a name is a helper of the student's own.
     """
     try:
         last = {each: group for group in groups(code) for each in group.defines}
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return ""
     lines = code.splitlines()
-    wanted = _with_helpers(last, name, lambda used: used not in lecture.FUNCTIONS)
+    own = lecture.FUNCTIONS.get(name)
+
+    def is_helper(used: str) -> bool:
+        other = lecture.FUNCTIONS.get(used)
+        return other is None or (own is not None and other.role == "given" and other.topic != own.topic)
+
+    wanted = _with_helpers(last, name, is_helper)
     return "\n\n\n".join("\n".join(lines[group.first - 1 : group.last]) for group in wanted)
 
 

@@ -7,6 +7,7 @@ import importlib
 import importlib.util
 import re
 import sys
+import traceback
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
@@ -92,20 +93,32 @@ class Implementation:
         modules = (_module(source, entry.topic) for source in self.sources)
         found = next((each for module in modules if callable(each := getattr(module, name, None))), None)
         if found is None:
-            raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step})")
+            raise _needs(name)
         self.asked.add(name)
 
         @functools.wraps(found)
         def call(*arguments: Any, **named: Any) -> Any:
             try:
                 answer = found(*arguments, **named)
-            except NotImplementedError:
-                raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step})") from None
+            except NotImplementedError as error:
+                raise _needs(_unwritten(error) or name) from None
             if answer is None:
                 raise RunFailed(f"{name} returned nothing: is a return missing?")
             return _in_arrays(answer)
 
         return call
+
+
+def _needs(name: str) -> NeedsFunction:
+    entry = lecture.function(name)
+    return NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step})")
+
+
+def _unwritten(error: NotImplementedError) -> str:
+    """The function that says that it is not written: the called one, or one that it calls; empty if it is no other."""
+    *_, (innermost, _) = traceback.walk_tb(error.__traceback__)
+    name = innermost.f_code.co_name
+    return name if name in lecture.FUNCTIONS else ""
 
 
 def _in_arrays(answer: Any) -> Any:

@@ -37,6 +37,11 @@ _BY_SIZE = {len(kind._fields): kind for kind in (Body, SpringMesh)}
 
 
 def with_names(argument: Any) -> Any:
-    """A body or a mesh with its names; any other argument as it is. No others of the lab are tuples of five or six."""
+    """A body or a mesh with its names; any other argument as it is.
+
+    The contacts of a world are six arrays as well, but begin with a list of numbers and not with pairs of them.
+    """
     kind = _BY_SIZE.get(len(argument)) if type(argument) is tuple else None
+    if kind is SpringMesh and np.ndim(argument[0]) != 2:
+        return argument
     return kind(*argument) if kind else argument

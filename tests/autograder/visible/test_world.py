@@ -350,6 +350,10 @@ def test_first_what_collides_and_then_what_rests(submission, part):
         given = bodies, state, contacts((1, 0, (0.5, 1.5, 0.25), WAY, 0.0)), load(bodies, (3, 2, 1), (-9, 6, 12))
         leaves = [1.225536078, 0.783065294, -4.607797255], [-1.289495597, -1.300402059, 2.250313073]
         expect(submission.respond, (*given, 0.125, 1.0, 6, [REST]), of_body(*leaves, [0.173488962, 0, 0]))
+        turned = state[0], [UNTURNED, [0.1, 0.5, 0.5, 0.7]], *state[2:]
+        leaves = [1.012359045, 0.889653811, -4.820974288], [-0.831125723, -2.024955970, 2.522599088]
+        given = bodies, turned, *given[2:]
+        expect(submission.respond, (*given, 0.125, 1.0, 6, [REST]), of_body(*leaves, [0.107042969, 0, 0]))
     with part(1, "a tower: sweep after sweep, from nothing and from the impulses of the last step"):
         things = [FLOOR, thing(BALL, 0.5, 1.0, (0, 0, 0.5)), thing(BALL, 1.0, 5.0, (0, 0, 2))]
         bodies, state = world(things)
@@ -365,7 +369,7 @@ def test_first_what_collides_and_then_what_rests(submission, part):
             wanted = moved, np.zeros((3, 3)), [[each, 0, 0] for each in impulses]
             expect(submission.respond, (*tower, sweeps, begin), wanted)
     with part(
-        2, "a rough floor: a ball that strikes and spins, one that is pushed and rolls, one that is pushed and slips"
+        2, "a rough floor: a ball that strikes and spins, one that is pushed and rolls or slips, and a box in one sweep"
     ):
         # The directions of `contact_frames` are here up, y and −x.
         spins = of_body([0.285714286, 0, 2], [0, 0.571428571, 2], [2.5, 0, 0.428571429])
@@ -374,6 +378,14 @@ def test_first_what_collides_and_then_what_rests(submission, part):
         expect(submission.respond, on_floor(falling(REST), UNDER, others=(0, 4, 0), friction=0.25), rolls)
         slips = of_body([4.6875, 0, 0], [0, 1.5625, 0], [2.5, 0, 0.625])
         expect(submission.respond, on_floor(falling(REST), UNDER, others=(80, 0, 0), friction=0.25), slips)
+        start = [[0.75, 0.125, -0.25], [1, -0.25, 0.125], [0.875, 0.25, 0.125], [1, 0, -0.375]]
+        given = on_floor(box(), FOOT, others=(4, -6, 0), friction=0.75, start=start, sweeps=1)
+        moves = [0.157414014, -0.195611468, 0.010234582], [0.077241205, 0.061212699, 0.046615462]
+        carried = [
+            [1.275934190, -0.065364485, -0.105221945], [0.612473752, 0.130070528, 0.099402631],
+            [0.739691474, 0.127661765, 0.394861258], [1.152604331, -0.029202212, -0.361283987],
+        ]  # fmt: skip
+        expect(submission.respond, given, of_body(*moves, carried))
         small = falling([0, 0, -4e-3], REST, 1e-3)
         bodies, state = world([FLOOR, small])
         few = contacts((1, 0, [1e-3, 2e-3, 0], UP, 0.0))
@@ -409,10 +421,10 @@ def test_one_step_of_the_world(submission, part):
         places, speeds = [[3.125, 0, 0], [6.0625, 0, 0], [12.03125, 0, 0]], [[1, 0, 0], [0.5, 0, 0], [0.25, 0, 0]]
         wanted = places, [UNTURNED] * 3, speeds, [REST] * 3, [], []
         step(world(three), wanted, (0, 0, 0), more=([[8, 0, 0]] * 3, REST))
-        # The ball turns about every axis alike: 0.2 kg m².
-        twisted = [math.cos(0.0375), 0, -math.sin(0.0375), 0]
-        spins = [[1, 2, 3]], [twisted], [REST], [[0, -0.6, 0]], [], []
-        step(ball, spins, (0, 0, 0), more=([REST], [[0, -0.96, 0]]))
+        # The ball turns about every axis alike, 0.2 kg m²: its spin of 0.7 rad/s turns it by 0.0875 in 1/8 s.
+        twisted = [math.cos(0.04375), *(math.sin(0.04375) / 7 * np.array([3, -6, 2]))]
+        spins = [[1, 2, 3]], [twisted], [REST], [[0.3, -0.6, 0.2]], [], []
+        step(ball, spins, (0, 0, 0), more=([REST], [[0.48, -0.96, 0.32]]))
     with part(2, "a ball strikes the floor, comes near, rests, and is in it"):
         for height, v, after, z, key, impulse in (
             (0.45, (1, 0, -4), (1, 0, 2), 0.7, [131072], [2.5, 0, 0]),
@@ -456,6 +468,12 @@ def test_one_step_of_the_world(submission, part):
         moved = [REST, [1, 2.0223214286, 0.5]], [UNTURNED, turned], [REST, [0, 0.178571429, 0]]
         wanted = *moved, [REST, [-0.357142857, 0, 0]], [131072], [2.5, -0.142857143, 0]
         step(rolls, wanted, more=([REST, [0, 4, 0]], REST))
+        before = np.array([[2.5, -0.25, 0.5]])  # along up, y and −x; without a sweep it is what there is
+        half = math.sqrt(5) / 25.6  # of the angle by which 5/8 √5 rad/s turn the ball
+        turned = [math.cos(half), *(math.sin(half) / math.sqrt(5) * np.array([-1, 2, 0]))]
+        moved = [REST, [0.96875, 1.984375, 0.5]], [UNTURNED, turned], [REST, [-0.25, -0.125, 0]]
+        wanted = *moved, [REST, [-0.625, 1.25, 0]], [131072], before
+        step(rolls, wanted, sweeps=0, memory=(np.array([131072]), before))
         up = np.array([0.0, -0.6, 0.8])
         q = [math.sqrt(0.9), math.sqrt(0.1), 0, 0]  # turned by the angle with the cosine 0.8 about x
         box_there = thing(BOX, (2, 2, 0.5), 2.0, 0.5 * up, q)

@@ -128,23 +128,48 @@ def test_to_back_up_has_no_end_where_balls_come_to_rest(experiments):
     assert len(elastic) == 200  # balls that keep their energy never come to rest
 
 
+@pytest.mark.slow
 def test_after_the_fact_finishes_and_a_quarter_of_the_step_is_a_quarter_as_deep(experiments, capsys):
     said = printed(experiments.slide_three, capsys)
     first, second = (float(each) for each in re.findall(r"(\S+) mm deep", said))
     assert 2.5 < first / second < 5.5  # the way of a step; where in its step a ball arrives is chance
 
 
-def test_the_jelly_and_the_heap_come_to_rest_above_the_floor(experiments):
+@pytest.fixture
+def filmed(experiments):
+    """Runs an experiment; returns the bodies that it films and their states."""
     shown = []
-    experiments.a_jelly.__globals__.update(film=lambda bodies, states, *_, **__: shown.append((bodies, states)))
-    experiments.a_jelly.__globals__.update(display=lambda *_: None)
-    experiments.a_jelly()
-    experiments.the_heap()
-    for bodies, states in shown:
-        place, _, velocity, _ = states[-1]
-        moving = bodies[0] > 0
-        assert np.all(place[moving, 2] > 0.05)
-        assert np.max(np.abs(velocity[moving])) < 0.3  # what has fallen arrives with 2 m/s and more
+    experiments.run_world.__globals__["film"] = lambda bodies, states, *_, **__: shown.append((bodies, states))
+    experiments.run_world.__globals__["display"] = lambda *_: None
+
+    def run(experiment):
+        experiment()
+        return shown.pop()
+
+    return run
+
+
+def test_the_jelly_ends_on_one_of_its_faces(experiments, filmed):
+    bodies, states = filmed(experiments.a_jelly)
+    place, radius, edge = states[-1][0], bodies[6][1, 0], 0.3
+    # Four springs of 250 N/m carry the upper half. Put down at once they give way by twice as much as under its weight,
+    # and what falls onto the floor is as deep in it at most as it moves in a step, at no more than √(2 g 0.9 m)
+    sag = 2 * 4 * 0.25 * 9.81 / (4 * 250)
+    deep = np.sqrt(2 * 9.81 * 0.9) / 240
+    heights = np.sort(place[1:, 2])
+    assert heights[:4] == pytest.approx(radius, abs=deep)
+    assert np.all(heights[4:] > radius + edge - sag - deep)
+    assert np.all(heights[4:] < radius + edge + sag + deep)
+
+
+def test_the_heap_comes_to_rest_above_the_floor(experiments, filmed):
+    bodies, states = filmed(experiments.the_heap)
+    place, _, velocity, _ = states[-1]
+    moving = bodies[0] > 0
+    lowest = np.where(bodies[5] == experiments.BALL, bodies[6][:, 0], np.min(bodies[6], axis=1))
+    deep = np.sqrt(2 * 9.81 * 0.8) / 120  # the way of a step at the speed of the last one to land
+    assert np.all(place[moving, 2] > lowest[moving] - deep)
+    assert np.max(np.abs(velocity[moving])) < 2 * 9.81 / 120  # what its rules take for rest: two steps' gain of weight
 
 
 def test_a_cube_of_a_tower_drifts_farthest_in_pybullet():

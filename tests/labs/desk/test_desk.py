@@ -59,6 +59,21 @@ def test_a_later_lab_uses_earlier_notebooks_and_given_functions(tmp_path):
     assert Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 2], -4) == 1  # given
 
 
+def test_a_notebook_calls_an_earlier_function_as_it_was_written_or_as_it_is_given(lab, capsys, tmp_path):
+    own = "def total_force(position, velocity, *others):\n    return 2 * position"
+    said(capsys, lab.begin, "world")
+    ball = np.zeros((1, 3)), np.zeros((1, 3)), [2.0], [0.1], [0, 0, -10.0], 0.0, [0, 0, 0.0], np.zeros((0, 2), int)
+    no_springs = np.zeros((3, 0))
+    assert lab.earlier("total_force")(*ball, *no_springs).tolist() == [[0, 0, -20]]  # given: its weight
+    write_notebook(tmp_path / "forces.ipynb", own)
+    assert lab.earlier("total_force")(np.ones(3), None).tolist() == [2, 2, 2]
+
+
+def test_an_earlier_function_that_nobody_knows_is_named(lab, capsys):
+    said(capsys, lab.begin, "world")
+    assert "unknown function 'total_forces'. Did you mean 'total_force'?" in said(capsys, lab.earlier, "total_forces")
+
+
 def test_given_functions_never_replace_those_of_the_lab_itself(tmp_path):
     found = student_code.collect("detection", write_notebook(tmp_path / "now.ipynb", "pass"))
     with pytest.raises(Exception, match="needs signed_distance"):

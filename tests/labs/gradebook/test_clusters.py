@@ -154,10 +154,13 @@ def test_the_shortest_version_stands_escaped_beside_the_right_one_and_only_on_th
     assert "No two students share" in clusters_page(LAB, [])
 
 
-def test_of_two_definitions_the_last_one_is_shown_and_code_that_cannot_be_read_is_missing():
+def test_of_two_definitions_the_last_one_is_shown_with_its_helpers():
     assert function_in("def f(x):\n    return 1\n\n\ndef f(x):\n    return g(x)\n\n\ng = abs\n", "f") == (
         "def f(x):\n    return g(x)\n\n\ng = abs"
     )
+    own_turned = "def turned(m, x):\n    return m @ x"
+    caller = "def point_velocity(v, w, r):\n    return turned(w, r)"
+    assert function_in(f"{own_turned}\n\n\n{caller}", "point_velocity") == f"{own_turned}\n\n\n{caller}"
     assert function_in("f = 1", "g") == function_in("def f(:", "f") == ""
 
 

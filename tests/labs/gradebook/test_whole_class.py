@@ -60,7 +60,7 @@ def wrong_functions() -> Iterator[tuple[str, str]]:
         text = path.read_text(encoding="utf-8")
         for node in ast.parse(text).body:
             if isinstance(node, ast.FunctionDef) and (name := plain_name(node.name)) in written:
-                yield node.name, re.sub(rf"\b{node.name}\b", name, function_in(text, node.name))
+                yield node.name, function_in(re.sub(rf"\b{node.name}\b", name, text), name)
 
 
 def plain_name(numbered: str) -> str:

@@ -65,7 +65,7 @@ def handed_in(name: str) -> str:
         return text
     given = [entry.name for entry in lecture.functions_of(topic) if entry.role == "given"]
     found = TopicExcerpts.of(topic).needed(given)
-    return f"from __future__ import annotations\n\n\n{imports_of(found)}\n\n\n{text_of(found)}\n\n\n{text}"
+    return f"{imports_of(found)}\n\n\n{text_of(found)}\n\n\n{text}"
 
 
 FORMATS = (unchanged, windows, windows_with_a_mark, tabs, notebook)
@@ -79,6 +79,15 @@ def stored(name: str, written, folder: Path) -> Path:
     path = folder / ("lab.ipynb" if written is notebook else "lab.py")
     path.write_bytes(written(handed_in(name)))
     return path
+
+
+def program(text: str) -> str:
+    """What runs of a text: a description of several lines has other spaces in it if its file is written with tabs."""
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.Module) and ast.get_docstring(node) is not None:
+            del node.body[0]
+    return ast.dump(tree)
 
 
 def lost(content: dict) -> list[str]:
@@ -124,7 +133,7 @@ def test_a_submission_is_read_as_the_same_program_in_every_format(name, tmp_path
     wanted = [entry.name for entry in lecture.functions_of(topic_of(name))]
     found = [read(stored(name, written, tmp_path), wanted) for written in FORMATS]
     assert found[0].functions
-    assert {ast.dump(ast.parse(each.text)) for each in found} == {ast.dump(ast.parse(found[0].text))}
+    assert {program(each.text) for each in found} == {program(found[0].text)}
     assert {(each.functions, each.complaints, each.unread) for each in found} == {
         (found[0].functions, found[0].complaints, ())
     }

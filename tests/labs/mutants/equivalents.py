@@ -479,6 +479,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: ("size for it: np.vecdot(n, v) + turning → np.vecdot(n, v) + np.abs(turning)",),
     },
     "rotate_by_momentum": {
+        TWICE: ("moments: sign flipped",),
         "q and −q are the same rotation.": ("orientation: size for it",),
         NOT_NEGATIVE: ("moments: size for it",),
         "What is held keeps its spin, whatever its momentum.": (
@@ -536,8 +537,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "step_world": {
         NOT_NEGATIVE: (
             "inverse_mass of bodies: size for it",
-            "kind of bodies: size for it",
-            "key of memory: size for it",
             "… → (position, orientation, velocity, spin, np.abs(contacts[-1]), impulse)",
         ),
         "What cannot be moved is not moved by its weight.": (

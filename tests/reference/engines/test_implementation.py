@@ -239,3 +239,13 @@ def test_an_implementation_is_plain_data():
     assert copy == mine
     assert {mine: "found"}[copy] == "found"
     assert Implementation() == Implementation("solutions")
+
+
+def test_the_function_that_is_missing_is_named_and_not_the_one_that_calls_it(tmp_path):
+    path = tmp_path / "half.py"
+    path.write_text(
+        "def respond(*given):\n    raise NotImplementedError('yours')\n\n\n"
+        "def step_world(*given):\n    return respond(*given)\n"
+    )
+    with pytest.raises(NeedsFunction, match=r"^needs respond \(world, step 4\)$"):
+        Implementation(str(path)).function("step_world")(1)

@@ -75,7 +75,7 @@ def _pairs() -> list[Probe]:
         corner = np.array([draw.vector(3) for _ in range(6)])
         return corner, corner + np.abs([draw.vector(4) for _ in range(6)])
 
-    return made("candidate_pairs", by_hand, maker, count=12, single=range(2))
+    return made("candidate_pairs", by_hand, maker, count=14, single=range(2))
 
 
 def _propagate() -> list[Probe]:

@@ -126,7 +126,7 @@ def _collecting() -> list[Probe]:
         plane = thing(PLANE, draw.unit(), position=draw.vector(2))
         return *world([balls[0], boxes[0], plane, balls[1], boxes[1]]), draw.number(0.01, 0.3)
 
-    return made("collect_contacts", by_hand, maker, count=6, single=range(3))
+    return made("collect_contacts", by_hand, maker, count=9, single=range(3))
 
 
 # What contacts do in a step
@@ -204,7 +204,8 @@ def _responding() -> list[Probe]:
         usual("a box lands with one edge first", *_on_floor(_box((0, 0, -3), (6, 0, 0)), FOOT)),
         usual("a box is pushed over", *_on_floor(_box(), FOOT, others=(0, 20, 0), turning=(-5, 0, 0))),
         usual("a box begins to slide", *_on_floor(_box(), FOOT, others=(12, 6, 0), friction=0.25)),
-        usual("from impulses of the last step", *_on_floor(_box(), FOOT, start=[[1.0, 0, 0]] * 4)),
+        usual("from impulses of the last step",
+              *_on_floor(_box(), FOOT, start=[[0.5, 0, 0], [1, 0, 0], [0.75, 0, 0], [1.25, 0, 0]], sweeps=2)),
         usual("two balls in the air", *_row([2, -1], [1, 3], 0.5)),
         usual("the first of three", *_row([2, 0, 0], [1, 1, 1])),
         usual("unequal balls", *_row([2, 0, 0], [3, 1, 2])),
@@ -281,7 +282,7 @@ def _stepping() -> list[Probe]:
                       draw.vector(), draw.vector(2))]),
         draw.vector(), 0.125, rules,
     )  # fmt: skip
-    return made("step_world", by_hand, maker, count=4, single=range(5))
+    return made("step_world", by_hand, maker, count=9, single=range(5))
 
 
 TABLE = {"collect_contacts": _collecting, "respond": _responding, "step_world": _stepping}

@@ -169,3 +169,10 @@ def test_each_probe_gets_its_own_copy_and_changes_to_it_are_noticed():
     assert [answer.changed for answer in asked(writes, probe, probe)] == [True, True]
     assert [answer.changed for answer in asked(lambda one, other: other, probe)] == [False]
     np.testing.assert_array_equal(probe.arguments[0][0], np.zeros(3))
+
+
+def test_a_list_without_rows_is_right_where_there_are_none_of_any_length():
+    nothing = Right((np.zeros((0, 3)),), (1.0,))
+    assert deviation_of(Answer([]), nothing).right
+    assert deviation_of(Answer(np.zeros((0, 2))), nothing).failure == "shape"
+    assert deviation_of(Answer([]), Right((np.zeros((1, 3)),), (1.0,))).failure == "shape"

@@ -27,6 +27,7 @@ TOPICS = (
 ONE_CASE_ALONE = {
     "count_impacts", "face_planes", "polyhedra_intersect", "advance", "total_force", "mesh_forces", "mesh_step",
     "diagonals", "timestep_bound", "mesh_sphere_contact", "limit_strain", "separation", "towards_mean",
+    "candidate_pairs", "collect_contacts", "respond", "step_world",
 }  # fmt: skip
 """Functions that take one case in a call."""
 

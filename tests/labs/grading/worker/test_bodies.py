@@ -17,5 +17,7 @@ def test_a_body_has_the_names_of_the_notebook_and_is_still_a_tuple():
 
 def test_other_arguments_stay_as_they_are():
     vector, pair = np.ones(5), (1.0, 2.0)
+    contacts = (np.ones(1), np.zeros(1), np.ones((1, 3)), np.ones((1, 3)), np.zeros(1), np.ones(1))
     assert with_names(vector) is vector
     assert with_names(pair) is pair
+    assert with_names(contacts) is contacts
