@@ -188,7 +188,7 @@ def collect(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> StudentC
     earlier: list[tuple[str, str]] = []
     for path in beside:
         try:
-            found, unread = _read_earlier(path, topic)
+            found, unread = _read_earlier(path)
         except UnreadableSubmission as error:
             complaints.append(str(error))
             continue
@@ -216,9 +216,12 @@ def earlier_notebooks(topic: str, folder: Path) -> list[Path]:
     return [path for path in reversed(found) if path.is_file()]
 
 
-def _read_earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]:
-    """The functions written in an earlier notebook, None if there are none; and complaints of what cannot be read."""
-    wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic != topic and entry.role == "written"]
+def _read_earlier(path: Path) -> tuple[Submission | None, list[str]]:
+    """The functions of its lab written in an earlier notebook, None if there are none; and what cannot be read.
+
+    A program that a student mends there may have the name of a function of another lab, and is not that function.
+    """
+    wanted = [entry.name for entry in lecture.functions_of(path.stem) if entry.role == "written"]
     everything = read(path, wanted)
     unread = [str(complaint) for complaint in everything.complaints if complaint.kind == "unreadable"]
     kept = [name for name in everything.functions if name not in _unwritten(everything)]
