@@ -27,15 +27,6 @@ def with_a_corner_inside(low, high):
     return np.argwhere(np.triu(inside | inside.T, 1))
 
 
-def by_the_middles(low, high):
-    """Pairs whose middles are no farther apart than half of both sizes; infinity less infinity is no number."""
-    low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
-    with np.errstate(all="ignore"):
-        middle, half = (low + high) / 2, (high - low) / 2
-        near = np.abs(middle[:, None] - middle[None]) <= half[:, None] + half[None]
-    return np.argwhere(np.triu(np.all(near, axis=-1), 1))
-
-
 def along_any_axis(low, high):
     """Pairs that overlap along one axis at least."""
     low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
@@ -156,10 +147,7 @@ BANK = (
       "Lay two rods across each other. Where are their corners?"),
     M("candidate_pairs", "no pair without an end", finite_alone,
       "Boxes without an end are in no pair: nothing would ever touch the floor.",
-      "A box without an end has infinite corners. Are your comparisons still true with them?"),
-    M("candidate_pairs", "by the middles", by_the_middles,
-      "Middles and half sizes are compared. Of a box without an end these are no numbers.",
-      "What is the middle of a box from −∞ to ∞?"),
+      "A box without an end has infinite corners, and no middle. Are your comparisons still true with them?"),
     M("collect_contacts", "those that do not meet",
       with_(kept=lambda meet, i, j: ~meet[i, j]),
       "Only bodies that do not meet are looked at.",
@@ -201,7 +189,7 @@ BANK = (
       "The box around a half-space is as large as its normal. A half-space has no end.",
       "A ball lies on the floor 5 m away from the floor's own place. Do your two boxes overlap?"),
     M("collect_contacts", "floors alone", with_(plane=lambda size: np.array([np.inf, np.inf, 0.0])),
-      "A half-space has no end along x and y, and no height: that is right for a level floor, and for nothing deep in it.",
+      "A half-space has no end along x and y, and no height: right for a level floor, and for nothing else.",
       "How far does a wall reach along z? And how far down does the floor reach?"),
     M("collect_contacts", "only what moves", with_(moved=lambda share, i, j: (share[i] > 0) & (share[j] > 0)),
       "A pair is left out if one of its bodies is immovable: nothing would ever touch the floor.",

@@ -143,7 +143,7 @@ def test_contacts_are_those_of_the_pairs_whose_boxes_overlap(submission, part):
         expect(
             submission.collect_contacts, (*world([FLOOR, leaning]), 0.02), touching(corners, UP, -0.01, 1, 0, 2, [4, 6])
         )
-    with part(1, "a long box that is turned reaches far along each axis, and a plate on its edge with two of its terms"):
+    with part(1, "a long box that is turned reaches far along each axis, and a plate with two terms"):
         for q, place, normal in (
             (LEANS, [2.5 * 0.28, 0.3, -2.5 * 0.96], [0, 1, 0]), ([0.8, 0, 0, 0.6], [2.5 * 0.28, 2.5 * 0.96, 0.3], UP),
             ([0.5, 0.5, 0.5, 0.5], [0, 2.5, 0.3], UP), ([0.5, -0.5, -0.5, -0.5], [0.3, 0, 2.5], [1, 0, 0]),
@@ -203,7 +203,7 @@ def test_the_impact_runs_through_the_row(submission, part):
     with part(1, "Newton's cradle"):
         expect(submission.propagate_impacts, ([1, 0, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 0.0, 1.0])
         expect(submission.propagate_impacts, ([1, 1, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 1.0, 1.0])
-    with part(1, "unequal balls that lose, also slowly; of three or four the last two meet first; a light ball; a wall"):
+    with part(1, "unequal balls that lose, also slowly; the last two meet first; a light ball; a wall"):
         expect(submission.propagate_impacts, ([1, -1], [1, 3], 0.5), [-1.25, -0.25])
         expect(submission.propagate_impacts, ([6, 0], [2, 1], 0.5), [3.0, 6.0])
         expect(submission.propagate_impacts, ([0, -1, -2], [1, 3, 1], 1.0), [-1.5, -1.25, 0.25])
@@ -391,9 +391,7 @@ def test_first_what_collides_and_then_what_rests(submission, part):
             moved = [REST, [0, 0, speeds[0]], [0, 0, speeds[1]]]
             wanted = moved, np.zeros((3, 3)), [[each, 0, 0] for each in impulses]
             expect(submission.respond, (*tower, sweeps, begin), wanted)
-    with part(
-        2, "a rough floor: a ball that strikes and spins, others that roll or slip, each rough in its own way, and a box"
-    ):
+    with part(2, "a rough floor: a ball that strikes and spins, others that roll or slip, each in its own way; a box"):
         # The directions of `contact_frames` are here up, y and −x.
         spins = of_body([0.285714286, 0, 2], [0, 0.571428571, 2], [2.5, 0, 0.428571429])
         expect(submission.respond, on_floor(falling([2, 0, -4], [0, -8, 2]), UNDER, friction=0.25), spins)
