@@ -215,6 +215,7 @@ def test_the_impact_runs_through_the_row(submission, part):
         expect(submission.propagate_impacts, ([0, 0, -1], 1.0, 1.0, 1), [0.0, -1.0, 0.0])
         found = numbers(submission.propagate_impacts, (np.array([2, 0, 0]), 1.0, np.array([0.5, 1.0])))
         assert np.allclose(found, [0.125, 0.375, 1.5]), f"whole numbers in, and {found} in place of (0.125, 0.375, 1.5)"
+    with part(1, "two rows in one call"):
         expect(submission.propagate_impacts, ([[1, 0, 0], [0, 0, 2]], 1.0, 1.0), [[0, 0, 1], [0, 0, 2]])
         refuse_changes(submission.propagate_impacts)
 
@@ -513,12 +514,17 @@ def test_one_step_of_the_world(submission, part):
         moved = [REST, [1, 2.0223214286, 0.5]], [UNTURNED, turned], [REST, [0, 0.178571429, 0]]
         wanted = *moved, [REST, [-0.357142857, 0, 0]], [131072], [2.5, -0.142857143, 0]
         step(rolls, wanted, more=([REST, [0, 4, 0]], REST))
-        before = np.array([[2.5, -0.25, 0.5]])  # along up, y and −x; without a sweep it is what there is
-        half = math.sqrt(5) / 25.6  # of the angle by which 5/8 √5 rad/s turn the ball
-        turned = [math.cos(half), *(math.sin(half) / math.sqrt(5) * np.array([-1, 2, 0]))]
-        moved = [REST, [0.96875, 1.984375, 0.5]], [UNTURNED, turned], [REST, [-0.25, -0.125, 0]]
-        wanted = *moved, [REST, [-0.625, 1.25, 0]], [131072], before
-        step(rolls, wanted, sweeps=0, memory=(np.array([131072]), before))
+        before = np.array([[0.75, 0.125, -0.25], [1, -0.25, 0.125], [0.875, 0.25, 0.125], [1, 0, -0.375]])
+        key = 131072 + np.array([0, 2, 4, 6])
+        carried = [
+            [1.378205249, 0.143880904, -0.020717893], [0, 0, 0],
+            [1.984176498, 0.421478054, 0.727088678], [0.388025646, 0.179823326, -0.208431232],
+        ]  # fmt: skip
+        moved = [REST, [1.000085852, 1.999799262, 2.000025524]], [UNTURNED, [1, 4.5352e-5, 2.0963e-5, 9.73e-7]]
+        speeds = [REST, [6.86816e-4, -1.605906e-3, 1.35797e-4]], [REST, [7.49769e-4, 3.76441e-4, 1.5553e-5]]
+        wanted = *moved, *speeds, key, carried
+        given = world([FLOOR, box()], 0.5, 0.75)
+        step(given, wanted, sweeps=50, memory=(key, before), more=([REST, [4, -6, 0]], [REST] * 2))
         up = np.array([0.0, -0.6, 0.8])
         q = [math.sqrt(0.9), math.sqrt(0.1), 0, 0]  # turned by the angle with the cosine 0.8 about x
         box_there = thing(BOX, (2, 2, 0.5), 2.0, 0.5 * up, q)
