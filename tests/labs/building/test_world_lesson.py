@@ -121,6 +121,7 @@ def test_to_back_up_has_no_end_where_balls_come_to_rest(experiments):
     assert len(elastic) == 200  # balls that keep their energy never come to rest
 
 
+@pytest.mark.slow
 def test_after_the_fact_finishes_and_a_quarter_of_the_step_is_a_quarter_as_deep(experiments, capsys):
     said = printed(experiments.slide_three, capsys)
     first, second = (float(each) for each in re.findall(r"(\S+) mm deep", said))
