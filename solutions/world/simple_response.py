@@ -143,7 +143,8 @@ def respond(
     dt : s
     rest_speed : m/s
         A contact whose points close no faster than this rests (slide 21).
-    sweeps : how often to go through the contacts in `solve_by_sweeps`
+    sweeps : how often to go through the contacts
+        In `solve_by_sweeps`, and in `sequential_impulses` as well.
     start : (m, 3), impulses to begin with, N s
         Along the normal and the two directions of `contact_frames`.
 
@@ -163,14 +164,16 @@ def respond(
     are over.
 
     **Rest.** The load would change the speeds of the contacts to G (v + M⁻¹ F
-    dt). A contact that has just collided is carried in this step, so that its
-    points part as fast as after the impacts. All others may close their gap
-    and no more. So each has a least speed, and with A and b of
-    `resting_problem` the impulses solve the problem of A and
+    dt). Two bodies that have just collided are carried in this step, at all of
+    their contacts. The points of each part as fast as after the impacts, and
+    where they still close, the least speed is 0. All other contacts may close
+    their gap and no more. So each contact has a least speed, and with A and b
+    of `resting_problem` the impulses solve the problem of A and
 
         G v + b dt − least
 
-    Where there is friction, `sequential_impulses` goes on from these impulses.
+    Where there is friction, `sequential_impulses` continues from these
+    impulses, with as many sweeps and the same least speeds.
     """
     inverse_mass, moments, restitution, friction, *_ = bodies
     position, orientation, velocity, spin = state

@@ -24,6 +24,8 @@ TOLERANCE = 3e-5
 AGAINST_INFINITY, INFINITE, NO_NUMBER = 11.0, 17.0, 29.0
 """These stand in for a deviation if one of the two numbers is not finite. They differ from each other, and all are far
 beyond the scale."""
+_TOO_MANY, _MISSING = 5.0, 7.0
+"""These are added to the numbers of a row that should not be there, or is missing, which may be zero."""
 FARTHEST = 1e100
 """Larger deviations count as this one, so that their sums stay finite."""
 _GOLDEN = (5**0.5 - 1) / 2
@@ -51,11 +53,15 @@ class Right:
     """The right answer to a probe. outputs: one array for each thing returned. scales: the size of each one's numbers.
 
     The scale is the largest number of the output, or more where the numbers cancel: what an error in the input of some
-    part of it does to the output, over that part.
+    part of it does to the output, over that part. rows: the places of the outputs with a row for each thing that is
+    found, such as a pair: the description does not say how many there are, so that another number of rows is a wrong
+    answer in the right shape. thing: what has a row.
     """
 
     outputs: tuple[Array, ...]
     scales: tuple[float, ...]
+    rows: tuple[int, ...] = ()
+    thing: str = "row"
 
 
 @dataclass(frozen=True)
@@ -199,6 +205,8 @@ def deviation_of(answer: Answer, right: Right) -> Deviation:
         theirs if mine.shape == (0,) and not theirs.size else mine
         for mine, theirs in zip(found, right.outputs, strict=True)
     )
+    if rows_too_many(found, right):
+        return _other_rows(found, right)
     if any(mine.shape != theirs.shape for mine, theirs in zip(found, right.outputs, strict=True)):
         return Deviation(failure="shape")
     if all(_near(*entry) for entry in zip(found, right.outputs, right.scales, strict=True)):
@@ -207,10 +215,46 @@ def deviation_of(answer: Answer, right: Right) -> Deviation:
     off = np.concatenate([part.ravel() for part in parts])
     if not np.any(np.abs(off) > TOLERANCE):
         return Deviation()
-    weights = 0.5 + (np.arange(1, len(off) + 1) * _GOLDEN) % 1
     mine = np.concatenate([array.ravel() for array in found])
-    finite = not np.any(~np.isfinite(mine) & (off != 0))
+    return _summed(off, finite=not np.any(~np.isfinite(mine) & (off != 0)))
+
+
+def _summed(off: Array, finite: bool = True) -> Deviation:
+    weights = 0.5 + (np.arange(1, len(off) + 1) * _GOLDEN) % 1
     return Deviation(float(weights @ off), float(weights @ np.abs(off)), finite=finite)
+
+
+def rows_too_many(found: Sequence[Array], right: Right) -> int:
+    """How many rows an answer has too many, or fewer than none if some are missing, where this is all that differs.
+
+    It is 0 if the shapes are the same, or differ in another way.
+    """
+    more = set()
+    for place, (mine, theirs) in enumerate(zip(found, right.outputs, strict=True)):
+        if place not in right.rows:
+            if mine.shape != theirs.shape:
+                return 0
+        elif mine.ndim != theirs.ndim or mine.shape[1:] != theirs.shape[1:]:
+            return 0
+        else:
+            more.add(len(mine) - len(theirs))
+    return more.pop() if len(more) == 1 else 0
+
+
+def _other_rows(found: Sequence[Array], right: Right) -> Deviation:
+    """The deviation of an answer with too many rows, or too few.
+
+    The rows that both have are compared in order; each of the others counts as it is, beside a stand-in.
+    """
+    parts = []
+    for mine, theirs, scale in zip(found, right.outputs, right.scales, strict=True):
+        both = min(len(mine), len(theirs)) if mine.ndim else None
+        parts.append(_deviations(mine[:both], theirs[:both], scale) if mine.ndim else _deviations(mine, theirs, scale))
+        if mine.ndim:
+            parts.append(_TOO_MANY + _deviations(mine[both:], np.zeros_like(mine[both:]), scale))
+            parts.append(-_MISSING - _deviations(theirs[both:], np.zeros_like(theirs[both:]), scale))
+    off = np.concatenate([part.ravel() for part in parts])
+    return _summed(off, finite=all(np.isfinite(array).all() for array in found))
 
 
 def _near(mine: Array, theirs: Array, scale: float) -> bool:

@@ -35,6 +35,12 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "nearest_approach": ("time", "separation"),
     "orca_half_plane": ("point", "normal"),
 }
+ROWS: dict[str, tuple[tuple[int, ...], str]] = {
+    "candidate_pairs": ((0,), "pair"),
+    "collect_contacts": ((0, 1, 2, 3, 4, 5), "contact"),
+    "step_world": ((4, 5), "contact"),
+}
+"""Of functions that find some number of things: which of the outputs have a row for each, and what a thing is."""
 _OF_RUNS = ("bounce",)
 """Functions that return a run: the first axis of each thing counts its steps, the next ones the cases."""
 
@@ -42,6 +48,11 @@ _OF_RUNS = ("bounce",)
 def output_names(function: str) -> tuple[str, ...]:
     """The names of what a function returns; none for a single thing."""
     return OUTPUT_NAMES.get(function, ())
+
+
+def rows_of(function: str) -> tuple[tuple[int, ...], str]:
+    """The places of the outputs that have a row for each thing that the function finds, and what it finds."""
+    return ROWS.get(function, ((), "row"))
 
 
 def axes_before(function: str) -> int:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.deviations import Answer, Right, outputs
+from labs.grading.diagnosis.deviations import Answer, Right, outputs, rows_too_many
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.phrases import gives_beside_physics, no_answer
@@ -140,9 +140,17 @@ def answered(answer: Answer, right: Right, names: Sequence[str] = ()) -> tuple[s
         came = no_answer(answer.value, len(right.outputs), answer.printed)
     else:
         came = labelled([_cleaned(*each, truths) for each in zip(found, right.scales, strict=True)], names)
-        if [array.shape for array in found] != [array.shape for array in right.outputs]:
+        if more := rows_too_many(found, right):
+            came += f", {_counted(more, right.thing)}"
+        elif [array.shape for array in found] != [array.shape for array in right.outputs]:
             came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
     return came, expected
+
+
+def _counted(more: int, thing: str) -> str:
+    """How many things are too many, or missing."""
+    many = f"{abs(more)} {thing}s" if abs(more) > 1 else f"one {thing}"
+    return f"{many} too many" if more > 0 else f"where {many} {'are' if more < -1 else 'is'} missing"
 
 
 def _cleaned(array: Any, scale: float, truths: bool) -> str:

@@ -17,7 +17,7 @@ import numpy as np
 
 from labs.grading.calling.cases import OneCase
 from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
-from labs.grading.diagnosis.output_names import labelled, output_names
+from labs.grading.diagnosis.output_names import labelled, output_names, rows_of
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import called, compared, shown
 from labs.grading.errors import ArgumentsChanged, FunctionRaised, WrongType
@@ -51,7 +51,7 @@ def expect(function: Called, arguments: tuple[Any, ...], answer: Any) -> None:
         If the answer is another. The message has the call, its answer, and what physics says.
     """
     wanted = outputs_of(answer)
-    check(function, plainly(*arguments), lambda: _sized(wanted), wanted)
+    check(function, plainly(*arguments), lambda: _sized(wanted, function.name), wanted)
 
 
 def outputs_of(answer: Any) -> tuple[Array, ...]:
@@ -89,9 +89,9 @@ def check(
             raise
 
 
-def _sized(outputs: tuple[Array, ...]) -> Right:
-    """The right answer with the largest number of each output as its scale."""
-    return Right(outputs, tuple(_size(array) for array in outputs))
+def _sized(outputs: tuple[Array, ...], function: str = "") -> Right:
+    """The right answer of a function with the largest number of each output as its scale."""
+    return Right(outputs, tuple(_size(array) for array in outputs), *rows_of(function))
 
 
 def _repeated(value: Any, right: tuple[Array, ...]) -> Any:

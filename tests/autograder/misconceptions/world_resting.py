@@ -9,18 +9,32 @@ def resting(g, w, f):
     return g @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w, f)
 
 
-def sweep(a, b, sweeps, start=0.0, update=None, order=None, jacobi=False, last=None, limit=None):
+def sweep(
+    a,
+    b,
+    sweeps,
+    start=0.0,
+    update=None,
+    order=None,
+    jacobi=False,
+    last=None,
+    limit=None,
+    each=lambda f: f,
+    reads=lambda row, i: row,
+    over=lambda row, i: row[..., i],
+):
     a, b = np.asarray(a), np.asarray(b)
     f = np.array(np.broadcast_to(start, np.broadcast_shapes(a.shape[:-1], b.shape, np.shape(start))), dtype=float)
     count = f.shape[-1]
-    for _ in range(sweeps):
+    for k in range(sweeps):
         before = f.copy()
-        for i in range(count) if order is None else order(count):
-            own = a[..., i, i]
-            gap = np.vecdot(a[..., i, :], before if jacobi else f) + b[..., i]
+        for i in range(count) if order is None else order(count, k):
+            own = over(a[..., i, :], i)
+            gap = np.vecdot(reads(a[..., i, :], i), before if jacobi else f) + b[..., i]
             new = update or (lambda f, gap, own: np.maximum(0, f - gap / own))
             with np.errstate(all="ignore"):
                 f[..., i] = np.where(own > 0, new(f[..., i], gap, np.where(own > 0, own, 1.0)), 0.0)
+        f = each(f)
     return f if last is None else last(f)
 
 
@@ -60,6 +74,19 @@ BANK = (
     M("resting_problem", "sign of A", lambda g, w, f: (-(g @ w @ np.swapaxes(g, -1, -2)), np.matvec(g @ w, f)),
       "A has the wrong sign: a contact force that pushes drives the bodies apart.",
       "Which sign has A_ii?"),
+    M("resting_problem", "only what presses", lambda g, w, f: (resting(g, w, f)[0], np.minimum(resting(g, w, f)[1], 0)),
+      "Offsets above zero are set to zero: a contact that the load lifts off would not know of it.",
+      "The load lifts one side of a box. Which sign has b there?"),
+    M("resting_problem", "no negative coupling", lambda g, w, f: (np.abs(resting(g, w, f)[0]), resting(g, w, f)[1]),
+      "The sizes of the numbers in A are taken: a force at one contact may well press another one together.",
+      "Push up one end of a seesaw. Which way does the other end move?"),
+    M("resting_problem", "upper triangle", lambda g, w, f: (np.triu(resting(g, w, f)[0]), resting(g, w, f)[1]),
+      "The numbers of A below its diagonal are left out.",
+      "What does the first contact do to the second one, and the second one to the first?"),
+    M("resting_problem", "rows of length one",
+      lambda g, w, f: resting(g / np.linalg.norm(g, axis=-1, keepdims=True), w, f),
+      "The rows of G are made unit vectors first. They have arms in them, and their length counts.",
+      "Which part of a row of G says how far the contact is from the middle of the body?"),
     M("resting_problem", "each component alone",
       lambda g, w, f: resting(g, w * np.eye(np.shape(w)[-1]), f),
       "Only the diagonal of M⁻¹ is used; the inverse inertia of a body that does not stand along the axes has more.",
@@ -78,6 +105,19 @@ BANK = (
       sweeps(update=lambda f, gap, own: f - gap / own, last=lambda f: np.maximum(f, 0)),
       "The forces are clamped once at the end: meanwhile the others have answered to contacts that pull.",
       "What does a neighbour make of a negative force?"),
+    M("solve_by_sweeps", "clamped after each sweep",
+      sweeps(update=lambda f, gap, own: f - gap / own, each=lambda f: np.maximum(f, 0)),
+      "The forces are clamped at the end of each sweep: within it the others have answered to contacts that pull.",
+      "What does a neighbour make of a negative force?"),
+    M("solve_by_sweeps", "to and fro", sweeps(order=lambda count, k: range(count)[:: -1 if k % 2 else 1]),
+      "Every second sweep goes backwards; the description always begins with the first contact.",
+      "Which contact comes first in the second sweep?"),
+    M("solve_by_sweeps", "over the sum of the row", sweeps(over=lambda row, i: np.sum(np.abs(row), axis=-1)),
+      "The gap is divided by the sum of the row in place of A_ii.",
+      "By how much does a unit force at contact i move contact i itself?"),
+    M("solve_by_sweeps", "later contacts left out", sweeps(reads=lambda row, i: row * (np.arange(row.shape[-1]) <= i)),
+      "A contact knows of those before it and of itself, and not of those behind it.",
+      "What do the contacts carry that have had no turn yet in this sweep?"),
     M("solve_by_sweeps", "not over the diagonal", sweeps(update=lambda f, gap, own: np.maximum(0, f - gap)),
       "The gap is not divided by A_ii: an acceleration is taken from a force.",
       "What unit has (A f + b)_i?"),
@@ -90,7 +130,7 @@ BANK = (
     M("solve_by_sweeps", "start left out", lambda a, b, count, start=0.0: sweep(a, b, count, 0.0 * np.asarray(start)),
       "It always begins with no forces.",
       "Which argument makes no difference to your answer?"),
-    M("solve_by_sweeps", "backwards", sweeps(order=lambda count: reversed(range(count))),
+    M("solve_by_sweeps", "backwards", sweeps(order=lambda count, k: reversed(range(count))),
       "The contacts are gone through from the last to the first; the description goes contact after contact.",
       "Which contact comes first?"),
     M("solve_by_sweeps", "one sweep too few", lambda a, b, count, start=0.0: sweep(a, b, max(count - 1, 0), start),

@@ -52,22 +52,29 @@ def response(
     given=lambda share, normals, pressed: share @ normals.T @ pressed,
     rough=True,
     told=lambda impulse: impulse,
-    turns=lambda inverse: inverse,
+    turns=world_inverse_inertia,
     both=True,
+    arm=lambda arm: arm,
+    stale=False,
+    twice=False,
+    rough_least=lambda least: least,
+    rub=lambda table, a, b: table[a, b],
+    first_alone=False,
 ):
     """Impacts, then rest; each part may be another one."""
     inverse_mass, moments, restitution, friction, *_ = bodies
     position, orientation, velocity, spin = state
     a, b, point, normal, gap, _ = contacts
-    inverse = turns(world_inverse_inertia(moments, orientation))
+    inverse = turns(moments, orientation)
     share = inverse_mass_matrix(inverse_mass, inverse)
     motion = np.concatenate([velocity, spin], axis=-1)
+    before = motion.ravel().copy()
     if loads_first:
         motion = loaded(motion.ravel(), dt, share, load.ravel()).reshape(-1, 6)
     rows = contact_frames(contacts, position)
 
     def body(k, at):
-        return Body(motion[k, :3], motion[k, 3:], at - position[k], inverse_mass[k], inverse[k])
+        return Body(motion[k, :3], motion[k, 3:], arm(at - position[k]), inverse_mass[k], inverse[k])
 
     collided = np.zeros(len(a), dtype=bool)
     for _ in range(rounds):
@@ -84,11 +91,13 @@ def response(
                 if both:
                     motion[j] = np.concatenate(after[2:])
                 collided[pair], quiet = True, False
+                if first_alone:
+                    break
         if quiet:
             break
     normals = rows[:, 0]
     matrix, gained = resting_problem(normals, share, load.ravel())
-    parting = normals @ motion.ravel()
+    parting = normals @ (before if stale else motion.ravel())
     gained = 0 * gained if loads_first else gained
     speeds = least(collided, parting, gap, dt)
     pressed = solve(matrix, offset(parting, dt, gained, speeds), often(sweeps), begin(start)[:, 0])
@@ -96,7 +105,9 @@ def response(
     ended, impulse = moved + given(share, normals, pressed), pressed[:, None] * COLUMNS
     if rough and np.any(friction[a, b]):
         first = np.concatenate([pressed[:, None], begin(start)[:, 1:]], axis=-1)
-        ended, impulse = sequential_impulses(moved, rows, share, friction[a, b], often(sweeps), first, speeds)
+        moved = ended if twice else moved
+        rubbed = rub(friction, a, b)
+        ended, impulse = sequential_impulses(moved, rows, share, rubbed, often(sweeps), first, rough_least(speeds))
     ended = ended.reshape(-1, 6)
     return ended[:, :3], ended[:, 3:], told(impulse)
 
@@ -109,9 +120,9 @@ def never(matrix, offset, sweeps, start):
     return 0 * offset
 
 
-def of_balls(inverse):
+def of_balls(moments, orientation):
     """Nothing turns."""
-    return 0 * inverse
+    return 0 * world_inverse_inertia(moments, orientation)
 
 
 def step(
@@ -128,14 +139,18 @@ def step(
     forces=lambda weight, force: weight + force,
     margin=lambda margin: margin,
     start=kept_impulses,
-    way=lambda push: push,
+    way=lambda push, dt: push,
     place=lambda x, dt, before, after: x + dt * after,
     turn=rotate_by_momentum,
     responds=response,
     later=False,
     swapped=False,
     key=lambda keys: keys,
-    told=lambda impulse: impulse,
+    told=lambda impulse, begin: impulse,
+    often=lambda sweeps: sweeps,
+    overlap=lambda bodies, state, after, contacts, dt: out_of_overlap(bodies, after, contacts, dt),
+    out=lambda orientation, spin, push, moments, dt, turn: turn(turned(orientation, push), spin, moments, dt),
+    faster=lambda push, dt: 0 * push,
 ):
     """A step of the world; each part may be another one."""
     inverse_mass, moments, *_ = bodies
@@ -146,11 +161,13 @@ def step(
     seen = (position + dt * state[2], *state[1:]) if later else state
     contacts = collect_contacts(bodies, seen, margin(gap))
     begin = start(memory, contacts)
-    velocity, spin, impulse = responds(bodies, state, contacts, load, dt, rest_speed, sweeps, begin)
-    push = way(out_of_overlap(bodies, (position, orientation, velocity, spin), contacts, dt))
+    velocity, spin, impulse = responds(bodies, state, contacts, load, dt, rest_speed, often(sweeps), begin)
+    found = overlap(bodies, state, (position, orientation, velocity, spin), contacts, dt)
+    push, more = way(found, dt), faster(found, dt)
+    velocity, spin = velocity + more[:, :3], spin + more[:, 3:]
     after = place(position, dt, state[2], velocity) + push[:, :3]
-    orientation, spin = turn(turned(orientation, push[:, 3:]), spin, moments, dt)
-    return after, orientation, velocity, spin, key(contacts[-1]), told(impulse)
+    orientation, spin = out(orientation, spin, push[:, 3:], moments, dt, turn)
+    return after, orientation, velocity, spin, key(contacts[-1]), told(impulse, begin)
 
 
 def steps(**parts):
@@ -255,11 +272,11 @@ BANK = (
       "The load is added to the velocity without M⁻¹.",
       "Two bodies of different masses are pushed alike. Do they gain the same velocity?"),
     M("respond", "impulses pull",
-      with_(given=lambda share, normals, pressed: -share @ normals.T @ pressed, rough=False),
+      with_(given=lambda share, normals, pressed: -share @ normals.T @ pressed),
       "The impulses have the wrong sign: they press the bodies into each other.",
       "A ball rests on the floor. Which way does the floor's impulse point?"),
     M("respond", "impulses not over the mass",
-      with_(given=lambda share, normals, pressed: (np.diag(share) > 0) * (normals.T @ pressed), rough=False),
+      with_(given=lambda share, normals, pressed: (np.diag(share) > 0) * (normals.T @ pressed)),
       "The impulses are added to the velocities without M⁻¹.",
       "What unit has Gᵀ j? What unit has a velocity?"),
     M("respond", "start left out", with_(begin=lambda start: 0 * start),
@@ -307,10 +324,10 @@ BANK = (
     M("step_world", "nothing turns", steps(turn=lambda q, w, moments, dt: (q, w)),
       "The orientations stay as they are.",
       "A ball spins. How does it lie after the step?"),
-    M("step_world", "not out of overlaps", steps(way=lambda push: 0 * push),
+    M("step_world", "not out of overlaps", steps(way=lambda push, dt: 0 * push),
       "Overlaps are never moved away: what has sunk in stays there.",
       "A ball has sunk into the floor. Which of the given functions brings it out?"),
-    M("step_world", "into the overlaps", steps(way=lambda push: -push),
+    M("step_world", "into the overlaps", steps(way=lambda push, dt: -push),
       "Bodies are moved deeper into their overlap.",
       "Which way should a ball move that has sunk into the floor?"),
     M("step_world", "contacts at the end", steps(later=True),
@@ -319,7 +336,7 @@ BANK = (
     M("step_world", "memory left out", steps(start=lambda memory, contacts: np.zeros((len(contacts[0]), 3))),
       "The impulses of the last step are forgotten: a tall stack never finds its weight.",
       "Which argument makes no difference to your answer?"),
-    M("step_world", "no memory", steps(told=lambda impulse: 0 * impulse),
+    M("step_world", "no memory", steps(told=lambda impulse, begin: 0 * impulse),
       "The impulses that are returned are all zero.",
       "What should the next step begin with?"),
 )

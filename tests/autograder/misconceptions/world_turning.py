@@ -1,7 +1,4 @@
-"""Known mistakes of bodies that turn freely, and of boxes that overlap.
-
-A mistake that finds too many pairs or too few gives a result of another length, which says nothing else of it.
-"""
+"""Known mistakes of bodies that turn freely."""
 
 import numpy as np
 
@@ -72,13 +69,22 @@ def turned_by_the_mean(q, w, moments, dt):
     return turned(q, (np.asarray(w) + new) / 2 * dt), new
 
 
-def pairs(order):
-    def found(low, high):
-        low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
-        table = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=-1)
-        return order(np.argwhere(np.triu(table, 1)))
+def turned_by_the_new(q, w, moments, dt):
+    """The turn takes the new spin."""
+    _, new = spin(q, w, moments, dt)
+    return turned(q, new * dt), new
 
-    return found
+
+def energy_kept(q, w, moments, dt):
+    """The new spin has the energy of the old one."""
+    later, new = spin(q, w, moments, dt)
+    held = np.any(np.isinf(moments), axis=-1)
+    finite = np.where(np.isfinite(moments), moments, 1.0)
+    before, after = (
+        np.sum(finite * np.vecmat(w, rotation_matrix(q)) ** 2, axis=-1) for q, w in ((q, np.asarray(w)), (later, new))
+    )
+    scale = np.where(held | (after == 0), 1.0, np.sqrt(before / np.where(after > 0, after, 1.0)))
+    return later, new * scale[..., None]
 
 
 # fmt: off
@@ -131,21 +137,27 @@ BANK = (
       with_(found=lambda new, old, held: np.where(held, old, 2 * old - new)),
       "The change of the spin has the wrong sign.",
       "Is I(q⁺) ω⁺ the same as I(q) ω?"),
+    M("rotate_by_momentum", "R for its transpose at first", with_(before=lambda q: rotation_matrix(q).mT),
+      "For L at the start R and Rᵀ have changed places: R turns from the body's own axes into the world, and Rᵀ back.",
+      "The columns of R are the body's axes. Which of R ω and Rᵀ ω has the components along them?"),
+    M("rotate_by_momentum", "turned by its own components",
+      with_(turn=lambda q, w, dt: turned(q, np.vecmat(w, rotation_matrix(q)) * dt)),
+      "The components of ω along the body's own axes are given to `turned`, which wants those in the world.",
+      "In which frame is the rotation that `turned` takes?"),
+    M("rotate_by_momentum", "turned with the new spin", turned_by_the_new,
+      "The body turns with the new spin. The description asks for the whole ω dt of the start.",
+      "With which ω should the body turn?"),
+    M("rotate_by_momentum", "energy kept", energy_kept,
+      "The new spin is made longer or shorter so that the energy stays. Then L changes, without a torque.",
+      "Without a torque, which of L and the energy does the description keep?"),
+    M("rotate_by_momentum", "dt left out of the turn", with_(turn=lambda q, w, dt: turned(q, w + 0 * dt)),
+      "The body turns by ω, as if the step took one second.",
+      "By which angle does it turn in the time dt?"),
+    M("rotate_by_momentum", "never back in time", with_(turn=lambda q, w, dt: turned(q, w * abs(dt))),
+      "The body turns by the size of dt: with a negative dt it should turn back.",
+      "What does a film of the body show that runs backwards?"),
     M("rotate_by_momentum", "what is held tumbles", with_(found=lambda new, old, held: np.where(held, 0.0, new)),
       "A body with infinite moments loses its spin. It keeps it: something else turns it.",
       "A mill wheel is driven at a given spin. What is that spin after a step?"),
-    M("candidate_pairs", "the larger first", pairs(lambda found: found[:, ::-1]),
-      "The larger number comes first in each pair.",
-      "Which of the two numbers should come first?"),
-    M("candidate_pairs", "by the second",
-      pairs(lambda found: found[np.lexsort((found[:, 0], found[:, 1]))]),
-      "The pairs are sorted by their second number.",
-      "Which of (0, 5) and (1, 2) comes first?"),
-    M("candidate_pairs", "from the last", pairs(lambda found: found[::-1]),
-      "The pairs come in descending order.",
-      "Which pair should come first?"),
-    M("candidate_pairs", "numbered from one", pairs(lambda found: found + 1),
-      "The boxes are numbered from 1.",
-      "Which number has the first box?"),
 )
 # fmt: on

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from labs.grading.diagnosis.probes.world_scenes import BALL, BOX, EMPTY, FLOOR, PLANE, contacts, load, thing, world
-from labs.grading.judging.comparison import expect, numbers, plainly
+from labs.grading.judging.comparison import expect, numbers, plainly, refuse_changes
 from labs.grading.judging.markers import asks
 
 UP, REST, UNTURNED, LEANS = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.8, 0.0, 0.6, 0.0]
@@ -143,7 +143,7 @@ def test_contacts_are_those_of_the_pairs_whose_boxes_overlap(submission, part):
         expect(
             submission.collect_contacts, (*world([FLOOR, leaning]), 0.02), touching(corners, UP, -0.01, 1, 0, 2, [4, 6])
         )
-    with part(1, "a long box that is turned reaches far along each axis"):
+    with part(1, "a long box that is turned reaches far along each axis, and a plate with two terms"):
         for q, place, normal in (
             (LEANS, [2.5 * 0.28, 0.3, -2.5 * 0.96], [0, 1, 0]), ([0.8, 0, 0, 0.6], [2.5 * 0.28, 2.5 * 0.96, 0.3], UP),
             ([0.5, 0.5, 0.5, 0.5], [0, 2.5, 0.3], UP), ([0.5, -0.5, -0.5, -0.5], [0.3, 0, 2.5], [1, 0, 0]),
@@ -155,10 +155,15 @@ def test_contacts_are_those_of_the_pairs_whose_boxes_overlap(submission, part):
             rod, near = thing(BOX, half, 1.0, spot, q), thing(BALL, 0.25, 1.0, spot + place)
             at = spot + np.array(place) - 0.225 * np.array(normal)
             expect(submission.collect_contacts, (*world([rod, near]), 0.01), touching(at, normal, -0.05, 1, 0, 2))
+        # The corner (1, −1, 0) of the plate lies at (1.24, 0.68, 0), and the ball is 0.2 m from it.
+        plate, out = thing(BOX, (1, 1, 0.5), 1.0, REST, [0.8, 0, 0, 0.6]), np.array([0.936, 0.352, 0])
+        near = thing(BALL, 0.25, 1.0, np.array([1.24, 0.68, 0]) + 0.2 * out)
+        at = np.array([1.24, 0.68, 0]) - 0.025 * out
+        expect(submission.collect_contacts, (*world([plate, near]), 0.01), touching(at, out, -0.05, 1, 0, 2))
     with part(1, "within the margin, and beyond it; in micrometres and in kilometres"):
         for size in (1.0, 1e-6, 1e3):
-            for gap, margin, seen in ((0.1, 0.12, True), (0.1, 0.08, False), (0.0, 0.0, True), (0.5, 0.625, True)):
-                pair = [thing(BALL, size, 1.0, REST), thing(BALL, 0.5 * size, 1.0, (1.5 + gap) * size * WAY)]
+            for gap, margin, seen in ((0.1, 0.12, True), (0.1, 0.08, False), (0.0, 0.0, True), (2.0, 2.5, True)):
+                pair = [thing(BALL, size, 2e4, REST), thing(BALL, 0.5 * size, 1e4, (1.5 + gap) * size * WAY)]
                 wanted = touching((1 + gap / 2) * size * WAY, -WAY, gap * size, 0, 1, 2) if seen else NOTHING
                 if gap:  # without one, rounding would decide
                     expect(submission.collect_contacts, (*world(pair), margin * size), wanted)
@@ -167,7 +172,10 @@ def test_contacts_are_those_of_the_pairs_whose_boxes_overlap(submission, part):
                 pair = [thing(BALL, 1.0, 1.0, [-3, -3, -3]), thing(BALL, 0.5, 1.0, (1.5 + gap) * axis - 3)]
                 wanted = touching((1 + gap / 2) * axis - 3, -axis, gap, 0, 1, 2)
                 expect(submission.collect_contacts, (*world(pair), margin), wanted)
-    with part(1, "two immovable bodies; two that do not meet; bodies far apart"):
+    with part(1, "two immovable bodies; two that do not meet; bodies far apart; far along a floor, and up a wall"):
+        wall, high = thing(PLANE, (1, 0, 0)), thing(BALL, 0.5, 2.0, (0.45, 30, 4000))
+        wanted = touching([-0.025, 30, 4000], [1, 0, 0], -0.05, 1, 0, 2)
+        expect(submission.collect_contacts, (*world([wall, high]), 0.01), wanted)
         block = thing(BOX, (1, 1, 1), position=(3, 1, -0.5))
         far = thing(BALL, 0.5, 1.0, (0, 9, 5))
         expect(submission.collect_contacts, (*world([FLOOR, block, far]), 0.01), NOTHING)
@@ -195,12 +203,21 @@ def test_the_impact_runs_through_the_row(submission, part):
     with part(1, "Newton's cradle"):
         expect(submission.propagate_impacts, ([1, 0, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 0.0, 1.0])
         expect(submission.propagate_impacts, ([1, 1, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 1.0, 1.0])
-    with part(1, "two balls that are not alike, and lose; three, two of which meet before the others"):
+    with part(1, "unequal balls that lose, also slowly; the last two meet first; a light ball; a wall"):
         expect(submission.propagate_impacts, ([1, -1], [1, 3], 0.5), [-1.25, -0.25])
         expect(submission.propagate_impacts, ([6, 0], [2, 1], 0.5), [3.0, 6.0])
         expect(submission.propagate_impacts, ([0, -1, -2], [1, 3, 1], 1.0), [-1.5, -1.25, 0.25])
+        expect(submission.propagate_impacts, ([1, 0, 0], [1, 1, INFINITY], 1.0), [-1.0, 0.0, 0.0])
+        expect(submission.propagate_impacts, ([2e-4, 0, 0], 1.0, [0.5, 1.0]), [1.25e-5, 3.75e-5, 1.5e-4])
+        expect(submission.propagate_impacts, ([-1, 0, 0, -2], 1.0, 0.5), [-1.09375, -1.03125, -0.46875, -0.40625])
+        light = [-1.076353385, -0.650233692, 3.044389438, 3.285414433]
+        expect(submission.propagate_impacts, ([4, 0, 0, -1], [12, 1, 16, 3], 1.0), light)
+        expect(submission.propagate_impacts, ([0, 0, -1], 1.0, 1.0, 1), [0.0, -1.0, 0.0])
+        found = numbers(submission.propagate_impacts, (np.array([2, 0, 0]), 1.0, np.array([0.5, 1.0])))
+        assert np.allclose(found, [0.125, 0.375, 1.5]), f"whole numbers in, and {found} in place of (0.125, 0.375, 1.5)"
     with part(1, "two rows in one call"):
         expect(submission.propagate_impacts, ([[1, 0, 0], [0, 0, 2]], 1.0, 1.0), [[0, 0, 1], [0, 0, 2]])
+        refuse_changes(submission.propagate_impacts)
 
 
 @asks(
@@ -227,12 +244,17 @@ def test_sweeps_go_from_contact_to_contact(submission, part):
     with part(1, "one contact; two that share a load, after one sweep and after many"):
         expect(submission.solve_by_sweeps, ([[2]], [-4], 1), [2.0])
         expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-4, -4], 1), [2.0, 1.0])
+        expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-4, -4], 2), [1.5, 1.25])
         expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-6, -6], 60), [2.0, 2.0])
         expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [4, -4], 1), [0.0, 2.0])
         three = [[2, -1, 0], [-1, 4, 1], [0, 1, 2]]
         expect(submission.solve_by_sweeps, (three, [-2, -8, -6], 1, [1, 4, 3]), [3.0, 2.0, 2.0])
         expect(submission.solve_by_sweeps, ([[0]], [-4], 1), [0.0])  # nothing that it could move
         expect(submission.solve_by_sweeps, ([[0]], [-4], 1, [3]), [0.0])
+        refuse_changes(submission.solve_by_sweeps)
+        whole = np.array([[2.0, 1], [1, 2]]), np.array([-3.0, -3]), 1, np.array([0, 0])
+        found = numbers(submission.solve_by_sweeps, whole)
+        assert np.allclose(found, [1.5, 0.75]), f"from the whole numbers 0 and 0 to {found}, and not to (1.5, 0.75)"
     with part(1, "two loads in one call"):
         expect(submission.solve_by_sweeps, ([[2]], [[-4], [4]], 1), [[2.0], [0.0]])
 
@@ -316,6 +338,8 @@ def test_first_what_collides_and_then_what_rests(submission, part):
         expect(submission.respond, row([2, 0, 0], [1, 1, 1], 0.5), along([0.40625, 0.46875, 1.125]))
         pairs = [[0, 0.5, 0], [0.5, 0, 1], [0, 1, 0]]
         expect(submission.respond, row([2, 0, 0], [1, 1, 1], pairs), along([0.125, 0.375, 1.5]))
+        four = along([-1.076353385, -0.650233692, 3.044389438, 3.285414433])  # after four rounds
+        expect(submission.respond, row([4, 0, 0, -1], [12, 1, 16, 3]), four)
         slowly = [0.025 * WAY] * 2, np.zeros((2, 3)), [[0.025, 0, 0]]
         expect(submission.respond, row([0.05, 0], [1, 1]), slowly)
     with part(1, "a box lands on a corner, on an edge, on its foot"):
@@ -368,9 +392,7 @@ def test_first_what_collides_and_then_what_rests(submission, part):
             moved = [REST, [0, 0, speeds[0]], [0, 0, speeds[1]]]
             wanted = moved, np.zeros((3, 3)), [[each, 0, 0] for each in impulses]
             expect(submission.respond, (*tower, sweeps, begin), wanted)
-    with part(
-        2, "a rough floor: a ball that strikes and spins, one that is pushed and rolls or slips, and a box in one sweep"
-    ):
+    with part(2, "a rough floor: a ball that strikes and spins, others that roll or slip, each in its own way; a box"):
         # The directions of `contact_frames` are here up, y and −x.
         spins = of_body([0.285714286, 0, 2], [0, 0.571428571, 2], [2.5, 0, 0.428571429])
         expect(submission.respond, on_floor(falling([2, 0, -4], [0, -8, 2]), UNDER, friction=0.25), spins)
@@ -379,13 +401,27 @@ def test_first_what_collides_and_then_what_rests(submission, part):
         slips = of_body([4.6875, 0, 0], [0, 1.5625, 0], [2.5, 0, 0.625])
         expect(submission.respond, on_floor(falling(REST), UNDER, others=(80, 0, 0), friction=0.25), slips)
         start = [[0.75, 0.125, -0.25], [1, -0.25, 0.125], [0.875, 0.25, 0.125], [1, 0, -0.375]]
-        given = on_floor(box(), FOOT, others=(4, -6, 0), friction=0.75, start=start, sweeps=1)
-        moves = [0.157414014, -0.195611468, 0.010234582], [0.077241205, 0.061212699, 0.046615462]
+        given = on_floor(box(), FOOT, others=(4, -6, 0), friction=0.75, start=start, sweeps=50)
+        moves = [0.000995132, -0.002590210, -0.000052868], [0.000589309, 0.000498063, -0.000913569]
         carried = [
-            [1.275934190, -0.065364485, -0.105221945], [0.612473752, 0.130070528, 0.099402631],
-            [0.739691474, 0.127661765, 0.394861258], [1.152604331, -0.029202212, -0.361283987],
+            [1.379151251, 0.255696452, 0.069962015], [1.977723623, 0.192271880, 0.410523714],
+            [0, 0, 0], [0.392966522, 0.294261037, 0.016528876],
         ]  # fmt: skip
         expect(submission.respond, given, of_body(*moves, carried))
+        refuse_changes(submission.respond)
+        # Two balls strike and two are pushed, and with each the floor has a friction of its own.
+        mu = np.full((5, 5), 0.5)
+        mu[0, 1:] = mu[1:, 0] = [0.0625, 0.09375, 0.25, 0.125]
+        arriving = [[2, 0, -4], [2, 0, -4], REST, REST]
+        balls = [thing(BALL, 0.5, 2.0, (3 * k, 2, 0.5), UNTURNED, v) for k, v in enumerate(arriving, 1)]
+        bodies, state = world([FLOOR, *balls], 0.5, mu)
+        several = contacts(*((k, 0, (3 * k, 2, 0), UP, 0.0) for k in range(1, 5)))
+        loads = load(bodies, [REST, REST, REST, [80, 0, 0], [80, 0, 0]])
+        leave = [REST, [1.546875, 0, 2], [1.428571429, 0, 2], [4.6875, 0, 0], [4.84375, 0, 0]]
+        spins = [REST, [0, 2.265625, 0], [0, 2.857142857, 0], [0, 1.5625, 0], [0, 0.78125, 0]]
+        carried = [[2.5, 0, 0.15625], [2.5, 0, 0.017857143], [2.5, 0, 0.625], [2.5, 0, 0.3125]]
+        given = (bodies, state, several, loads, 0.125, 2.5, 8, np.zeros((4, 3)))
+        expect(submission.respond, given, (leave, spins, carried))
         small = falling([0, 0, -4e-3], REST, 1e-3)
         bodies, state = world([FLOOR, small])
         few = contacts((1, 0, [1e-3, 2e-3, 0], UP, 0.0))
@@ -442,15 +478,18 @@ def test_one_step_of_the_world(submission, part):
         things = [thing(BALL, 0.5, 2.0, (1, 2, 0.5)), thing(BALL, 1.0, 2.0, (9, 9, 9)), FLOOR]
         places, speeds = [[1, 2, 0.5], [9, 9, 8.84375], REST], [REST, [0, 0, -1.25], REST]
         step(world(things), (places, [UNTURNED] * 3, speeds, [REST] * 3, [131072], [2.5, 0, 0]))
-    with part(1, "a tower, from what it carried in the last step"):
+    with part(1, "a tower, in one sweep, and from what it carried in the last step"):
         tower = world([FLOOR, thing(BALL, 0.5, 1.0, (0, 0, 0.5)), thing(BALL, 1.0, 5.0, (0, 0, 2))])
         key = [3 * 65536, 5 * 65536]
+        fallen = [REST, [0, 0, -1.041666667], [0, 0, -1.041666667]]
+        sunk = [REST, [0, 0, 0.395153892], [0, 0, 1.895152892]], [UNTURNED] * 3, fallen, [REST] * 3
+        step(tower, (*sunk, key, [[1.25, 0, 0], [1.041666667, 0, 0]]), sweeps=1)
         rest = [REST, [0, 0, 0.5], [0, 0, 2]], [UNTURNED] * 3, np.zeros((3, 3)), np.zeros((3, 3))
         carried = [[7.5, 0, 0], [6.25, 0, 0]]
         step(tower, (*rest, key, carried), sweeps=0, memory=(np.array(key), np.array(carried)))
         other = np.array([9, *key[::-1]]), np.array([[4.0, 0, 0], *carried[::-1]])
         step(tower, (*rest, key, carried), sweeps=0, memory=other)
-    with part(1, "two balls strike in the air, and a hill: no pair is special"):
+    with part(1, "two balls strike in the air, no pair is special; a box deep in the floor turns out of it"):
         a = thing(BALL, 0.5, 1.0, REST, velocity=2 * WAY)
         b = thing(BALL, 0.5, 3.0, 0.95 * WAY, velocity=-WAY)
         after = -1.375 * WAY, 0.125 * WAY
@@ -460,6 +499,13 @@ def test_one_step_of_the_world(submission, part):
         near = world([thing(BALL, 0.5, 1.0, REST), thing(BALL, 0.5, 1.0, (0, 0.9, 0))])
         apart = [[0, -0.01, 0], [0, 0.91, 0]], [UNTURNED] * 2, [REST] * 2, [REST] * 2, [65536], REST
         step(near, apart, (0, 0, 0))
+        deep = thing(BOX, (2, 0.5, 0.25), 3.0, (1, 2, 0.3), [0.9, 0.1, 0.3, 0.3], (0.5, -0.25, -0.1), (0.3, -0.4, 0.2))
+        places, q = [REST, [1.0625, 1.96875, 0.223280419]], [0.912573021, 0.107048839, 0.215117251, 0.330870966]
+        w = [0.962117668, -0.219753319, -0.122870396]
+        key, impulse = 131072.0 + np.array([4, 5, 6, 7]), [[0.752498541, 0, 0], REST, REST, REST]
+        wanted = places, [UNTURNED, q], [REST, [0.5, -0.25, -1.099167153]], [REST, w], key, impulse
+        step(world([FLOOR, deep]), wanted, sweeps=3, more=([REST] * 2, [REST, [3, 1, -2]]))
+        refuse_changes(submission.step_world)
     with part(1, "weight along no axis; on a rough floor: a ball that is pushed, and on a slope a box that holds"):
         slanted = [[1.015625, 1.96875, 3.046875]], [UNTURNED], [[0.125, -0.25, 0.375]], [REST], [], []
         step(ball, slanted, (1, -2, 3))
@@ -468,12 +514,17 @@ def test_one_step_of_the_world(submission, part):
         moved = [REST, [1, 2.0223214286, 0.5]], [UNTURNED, turned], [REST, [0, 0.178571429, 0]]
         wanted = *moved, [REST, [-0.357142857, 0, 0]], [131072], [2.5, -0.142857143, 0]
         step(rolls, wanted, more=([REST, [0, 4, 0]], REST))
-        before = np.array([[2.5, -0.25, 0.5]])  # along up, y and −x; without a sweep it is what there is
-        half = math.sqrt(5) / 25.6  # of the angle by which 5/8 √5 rad/s turn the ball
-        turned = [math.cos(half), *(math.sin(half) / math.sqrt(5) * np.array([-1, 2, 0]))]
-        moved = [REST, [0.96875, 1.984375, 0.5]], [UNTURNED, turned], [REST, [-0.25, -0.125, 0]]
-        wanted = *moved, [REST, [-0.625, 1.25, 0]], [131072], before
-        step(rolls, wanted, sweeps=0, memory=(np.array([131072]), before))
+        before = np.array([[0.75, 0.125, -0.25], [1, -0.25, 0.125], [0.875, 0.25, 0.125], [1, 0, -0.375]])
+        key = 131072 + np.array([0, 2, 4, 6])
+        carried = [
+            [1.378205249, 0.143880904, -0.020717893], [0, 0, 0],
+            [1.984176498, 0.421478054, 0.727088678], [0.388025646, 0.179823326, -0.208431232],
+        ]  # fmt: skip
+        moved = [REST, [1.000085852, 1.999799262, 2.000025524]], [UNTURNED, [1, 4.5352e-5, 2.0963e-5, 9.73e-7]]
+        speeds = [REST, [6.86816e-4, -1.605906e-3, 1.35797e-4]], [REST, [7.49769e-4, 3.76441e-4, 1.5553e-5]]
+        wanted = *moved, *speeds, key, carried
+        given = world([FLOOR, box()], 0.5, 0.75)
+        step(given, wanted, sweeps=50, memory=(key, before), more=([REST, [4, -6, 0]], [REST] * 2))
         up = np.array([0.0, -0.6, 0.8])
         q = [math.sqrt(0.9), math.sqrt(0.1), 0, 0]  # turned by the angle with the cosine 0.8 about x
         box_there = thing(BOX, (2, 2, 0.5), 2.0, 0.5 * up, q)

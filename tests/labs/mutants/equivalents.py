@@ -512,7 +512,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "More candidates only take longer: the given function leaves out what does not touch.": (
             "branch dropped: np.where(of_kind == PLANE, np.inf, reach) → shaped(np.inf, of_kind == PLANE)",
             "condition dropped: of_kind == PLANE → always(of_kind == PLANE)",
-            "factor forgotten: margin / 2 → …",
+            "factor forgotten: margin / 2 → margin",
             "product for ratio: margin / 2 → margin * 2",
             "half the number: 2 → 1.0",
         ),

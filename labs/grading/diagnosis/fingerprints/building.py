@@ -18,6 +18,7 @@ from labs.grading.diagnosis.deviations import Deviation, Right, ask, deviation_o
 from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited
 from labs.grading.diagnosis.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
 from labs.grading.diagnosis.misconceptions import Misconception, read_bank
+from labs.grading.diagnosis.output_names import rows_of
 from labs.grading.diagnosis.probes import Probe, probed, probes
 from reference import lecture
 from reference.arrays import Array
@@ -91,7 +92,7 @@ def learned(
 ) -> Content:
     """What is known of one function, as the file holds it; raises what `build` raises."""
     cases = probes(name)
-    answers = [None if probe.group == "refused" else right_answer(right, probe) for probe in cases]
+    answers = [None if probe.group == "refused" else right_answer(right, probe, name) for probe in cases]
     deviations = {entry.name: deviations_of(entry.formula, name, cases, answers) for entry in bank}
     _tell_apart(name, deviations)
     through = inherited(name, right, earlier or {}, cases, answers, list(deviations.values()), deviations_of)
@@ -135,15 +136,15 @@ def _tell_apart(name: str, deviations: Mapping[str, list[Deviation]]) -> None:
 # Right answers
 
 
-def right_answer(function: Callable[..., Any], probe: Probe) -> Right:
-    """What the function returns, with the size of the numbers that went into it."""
+def right_answer(function: Callable[..., Any], probe: Probe, name: str = "") -> Right:
+    """What the function returns, with the size of the numbers that went into it. name: of the function."""
     value = function(*probe.arguments)
     count = len(value) if isinstance(value, tuple) else 1
     found = outputs(value, count)
     assert found is not None
     moved = [outputs(value, count) for value in _beside(function, probe)]
     scales = [_scale(array, [other[place] for other in moved if other]) for place, array in enumerate(found)]
-    return Right(found, tuple(scales))
+    return Right(found, tuple(scales), *rows_of(name))
 
 
 def _beside(function: Callable[..., Any], probe: Probe) -> Iterator[Any]:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.deviations import Deviation, Right
+from labs.grading.diagnosis.output_names import rows_of
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 
@@ -64,7 +65,8 @@ def known(function: str) -> Knowledge:
 
 def right_answers(function: str) -> tuple[Right | None, ...]:
     """The right answers alone, without the many mistakes; raises as `known` does."""
-    return tuple(None if answer is None else _right(answer) for answer in _entry(function)["right"])
+    rows = rows_of(function)
+    return tuple(None if answer is None else _right(answer, rows) for answer in _entry(function)["right"])
 
 
 def _entry(function: str) -> Mapping[str, Any]:
@@ -130,9 +132,9 @@ def _own(function: str, name: str) -> Mapping[str, str]:
     return texts
 
 
-def _right(answer: list[list[Any]]) -> Right:
+def _right(answer: list[list[Any]], rows: tuple[tuple[int, ...], str]) -> Right:
     arrays = tuple(np.asarray(numbers, dtype=float).reshape(shape) for shape, numbers, _ in answer)
-    return Right(arrays, tuple(scale for *_, scale in answer))
+    return Right(arrays, tuple(scale for *_, scale in answer), *rows)
 
 
 def _deviation(number: Any) -> Deviation:

@@ -177,6 +177,18 @@ def _tower(sweeps: int, start: Any = 0.0, top: float = 5.0) -> Any:
     return bodies, state, touching, load(bodies), 0.125, 2.5, sweeps, begin
 
 
+def _rough_each_in_its_own_way() -> Any:
+    """Two balls that strike and two that are pushed, and with each the floor has a friction of its own."""
+    friction = np.full((5, 5), 0.5)
+    friction[0, 1:] = friction[1:, 0] = [0.0625, 0.09375, 0.25, 0.125]
+    arriving = [(2, 0, -4), (2, 0, -4), REST, REST]
+    balls = [_falling(v, place=(3 * k, 2, 0.5)) for k, v in enumerate(arriving, 1)]
+    bodies, state = world([FLOOR, *balls], friction=friction)
+    touching = contacts(*((k, 0, (3 * k, 2, 0), UP, 0.0) for k in range(1, 5)))
+    pushed = load(bodies, [REST, REST, REST, (80, 0, 0), (80, 0, 0)])
+    return bodies, state, touching, pushed, 0.125, 2.5, 8, np.zeros((4, 3))
+
+
 def _responding() -> list[Probe]:
     bottom = [(1, 2, 0)]
     by_hand = [
@@ -201,9 +213,9 @@ def _responding() -> list[Probe]:
         usual("a box lands on one corner", *_on_floor(_box((0.5, 0, -4)), FOOT[:1])),
         usual("a box lands on an edge", *_on_floor(_box((0, 0, -4)), FOOT[:2])),
         usual("a box lands, turning", *_on_floor(_box((0, 0, -4), (1.5, 0, 0)), FOOT)),
-        usual("a box lands with one edge first", *_on_floor(_box((0, 0, -3), (6, 0, 0)), FOOT)),
+        usual("a box lands with one edge first", *_on_floor(_box((0, 0, -3), (6, 0, 0)), FOOT, others=(0, 0, 30))),
         usual("a box is pushed over", *_on_floor(_box(), FOOT, others=(0, 20, 0), turning=(-5, 0, 0))),
-        usual("a box begins to slide", *_on_floor(_box(), FOOT, others=(12, 6, 0), friction=0.25)),
+        usual("a box begins to slide", *_on_floor(_box(), FOOT, others=(12, 6, 0), friction=0.25, sweeps=50)),
         usual("from impulses of the last step",
               *_on_floor(_box(), FOOT, start=[[0.5, 0, 0], [1, 0, 0], [0.75, 0, 0], [1.25, 0, 0]], sweeps=2)),
         usual("two balls in the air", *_row([2, -1], [1, 3], 0.5)),
@@ -212,6 +224,11 @@ def _responding() -> list[Probe]:
         usual("both ends come together", *_row([2, 0, -2], [1, 3, 1])),
         usual("two that lose", *_row([2, 0], [1, 1], 0.5)),
         usual("different pairs", *_row([2, 0, 0], [1, 1, 1], [[0, 0.5, 0], [0.5, 0, 1], [0, 1, 0]])),
+        usual("four, of which one is light", *_row([4, 0, 0, -1], [12, 1, 16, 3])),
+        usual("each rough in its own way", *_rough_each_in_its_own_way()),
+        usual("impulses of the last step along a rough floor",
+              *_on_floor(_box(), FOOT[1:3], others=(4, -6, 0), friction=0.75, sweeps=50,
+                         start=[[0.75, 0.125, -0.25], [1, -0.25, 0.125]])),
         usual("a tower, one sweep", *_tower(1)),
         usual("a tower, three sweeps", *_tower(3)),
         usual("a tower, many sweeps", *_tower(40)),
@@ -246,6 +263,8 @@ def _stepping() -> list[Probe]:
     lands = thing(BOX, (1, 0.5, 2), 3.0, (1, 2, 1.9), UNTURNED, (1, 0, -4), (0.5, 0, 0))
     stands = thing(BOX, (1, 0.5, 2), 3.0, (1, 2, 2))
     sunk = thing(BALL, 0.5, 2.0, (1, 2, 0.4))
+    deep = thing(BOX, (2, 0.5, 0.25), 3.0, (1, 2, 0.3), (0.9, 0.1, 0.3, 0.3), (0.5, -0.25, -0.1), (0.3, -0.4, 0.2))
+    tower = [FLOOR, thing(BALL, 0.5, 1.0, (0, 0, 0.5)), thing(BALL, 1.0, 5.0, (0, 0, 2))]
     moves = thing(BOX, (1, 1, 0.5), position=(0, 0, 0), velocity=(0, 0, 2), spin=(0, 0, 3))
     by_hand = [
         usual("a ball flies", *world([ball]), fall, 0.125, rules),
@@ -260,12 +279,12 @@ def _stepping() -> list[Probe]:
         usual("a ball rests", *world([FLOOR, thing(BALL, 0.5, 2.0, (1, 2, 0.5))]), fall, 0.125, rules),
         usual("a ball is in the floor", *world([FLOOR, sunk]), fall, 0.125, rules),
         usual("a ball is almost at rest", *world([FLOOR, thing(BALL, 0.5, 2.0, (1, 2, 0.505))]), fall, 0.125, rules),
-        usual("a box stands", *world([FLOOR, stands], 0.5, 0.5), fall, 0.125, rules),
+        usual("a box stands", *world([FLOOR, stands], 0.5), fall, 0.125, rules),
         usual("a box lands", *world([FLOOR, lands], 0.5), fall, 0.125, rules),
         usual("a box lands on a rough floor", *world([FLOOR, lands], 0.5, 0.25), fall, 0.125, rules),
         usual("two balls strike", *world([ball, thing(BALL, 1, 5.0, (1.5, 2.5, 1.8))]), fall, 0.125, rules),
         usual("a lift carries a ball", *world([moves, thing(BALL, 0.5, 2.0, (0.25, 0, 1))], 0.0), fall, 0.125, rules),
-        usual("a box slides", *world([FLOOR, thing(BOX, (1, 0.5, 2), 3.0, (1, 2, 2), UNTURNED, (2, 1, 0))], 0.0, 0.25),
+        usual("a ball slides", *world([FLOOR, thing(BALL, 0.5, 2.0, (1, 2, 0.5), UNTURNED, (2, 1, 0))], 0.0, 0.25),
               fall, 0.125, rules),
         usual("a memory", *world([FLOOR, thing(BALL, 0.5, 1.0, (0, 0, 0.5)), thing(BALL, 1.0, 5.0, (0, 0, 2))]), fall,
               0.125, (0.5, 0.01, 1), (65536 * np.array([3, 5]), np.array([[7.0, 0, 0], [6, 0, 0]]))),
@@ -273,6 +292,9 @@ def _stepping() -> list[Probe]:
               np.array([[4.0, 2, 1], [-3, 6, 9]]), np.array([[0.5, 0.25, -1], [1, 2, 3]])),
         usual("pushed onto the floor", *world([FLOOR, stands]), fall, 0.125, rules, EMPTY,
               np.array([[0.0, 0, 0], [0, 0, -9]]), np.array([[0.0, 0, 0], [0, 0, 4]])),
+        usual("a box deep in the floor", *world([FLOOR, deep]), fall, 0.125, (0.5, 0.01, 3), EMPTY, np.zeros((2, 3)),
+              np.array([[0.0, 0, 0], [3, 1, -2]])),
+        usual("a tower, one sweep", *world(tower), fall, 0.125, (0.5, 0.01, 1)),
         edge("nothing but the floor", *world([FLOOR]), fall, 0.125, rules),
         edge("a step of a millisecond", *world([FLOOR, lands], 0.5), fall, 0.001, rules),
     ]  # fmt: skip

@@ -111,15 +111,15 @@ def respond(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
             two = (u[j, :3], u[j, 3:], spot - x[j], share[j], turning[j])
             vi, wi, vj, wj = collide_with_friction(one, two, normal[pair[0]], e[i, j], mu[i, j])
             u[i], u[j] = np.hstack([vi, wi]), np.hstack([vj, wj])
-            hit[pair], again = True, True
+            hit[pair[fast]], again = True, True  # the places that collided, and not all of the two bodies
     m = inverse_mass_matrix(share, turning)
     n = rows[:, 0]
-    least = [max(s, 0.0) if h else -max(g, 0.0) / dt for s, h, g in zip(n @ u.ravel(), hit, gap, strict=True)]
+    least = [s if h else -max(g, 0.0) / dt for s, h, g in zip(n @ u.ravel(), hit, gap, strict=True)]
     loaded = u.ravel() + m @ load.ravel() * dt
     j = solve_by_sweeps(n @ m @ n.T, n @ loaded - np.array(least), sweeps, start[:, 0])
-    if np.max(mu[a, b], initial=0.0) > 0:
+    if np.max(mu[a, b], initial=0.0) > 0:  # with the sweeps that `sequential_impulses` has by itself
         begin = np.column_stack([j, start[:, 1:]])
-        loaded, impulses = sequential_impulses(loaded, rows, m, mu[a, b], sweeps, begin, np.array(least))
+        loaded, impulses = sequential_impulses(loaded, rows, m, mu[a, b], start=begin, least=np.array(least))
     else:
         loaded, impulses = loaded + m @ (n.T @ j), np.column_stack([j, 0 * j, 0 * j])
     u = loaded.reshape(-1, 6)
