@@ -42,7 +42,6 @@ FOUND = {
     "propagate_impacts_1": ("named", ["one pass"]),
     "solve_by_sweeps_1": ("named", ["change clamped"]),
     "solve_by_sweeps_2": ("named", ["old forces"]),
-    "complementarity_residual_1": ("named", ["products"]),
     "normal_velocity_1": ("named", ["r × ω"]),
     "normal_velocity_2": ("named", ["B less A"]),
     "edge_edge_normal_1": ("named", ["towards B"]),

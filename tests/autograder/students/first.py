@@ -351,12 +351,6 @@ def solve_by_sweeps_2(matrix, offset, sweeps, start=0.0):
     return f
 
 
-def complementarity_residual_1(matrix, offset, force):
-    """The product of the two."""
-    w = matrix @ force + offset
-    return np.max(np.abs(force * w))
-
-
 def normal_velocity_1(body_a, body_b, normal):
     """The arm first."""
     va = body_a[0] + np.cross(body_a[2], body_a[1])

@@ -75,7 +75,7 @@ def test_four_of_five_mistakes_by_others_are_named(lots):
     Two more are named since the bank has entries for the fourth lot.
 
     The third lot is about loose readings of the slides: 9 of its 45 were named before the bank had entries for these.
-    Answers to functions that no student writes any more are left out, four of the third lot among them.
+    Answers to functions that no student writes any more are left out: one of the first lot and four of the third.
 
     The fourth lot has six answers to each of 27 functions, with one mistake each, as by third-year students with the
     slides and the description of the function. They are by somebody who had not seen the bank, and who wrote down for
