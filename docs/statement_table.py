@@ -29,9 +29,10 @@ into code, the tests that fail when its formula is broken and what they are judg
 test in hand-written code and three engines, and a figure. `python docs/statement_table.py` writes this page from
 `reference/lecture/functions.py`, the marks in `tests/`, `docs/statement_engines.py` and `docs/figures/`.
 
-*Labs* are those whose functions belong to the statement, with the steps in which they come. *Graded* counts the
-functions that a student writes for it and that tests judge. Where nobody writes a function of the statement, it counts,
-after *within*, the written functions that need one. *Read* means that its functions are only shown.
+*Labs* are those whose functions belong to the statement, with the steps in which they come; step 8 of friction and of
+meshes is what there is to read after these labs. *Graded* counts the functions that a student writes for it and that
+tests judge. Where nobody writes a function of the statement, it counts, after *within*, the written functions that
+need one. *Read* means that its functions are only shown.
 
 The columns of the four implementations count *scenarios*. The mark of a scenario is that of the worst of its numbers;
 further down, the section of each statement has a count of all its numbers. The hand-written code runs by the method

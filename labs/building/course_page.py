@@ -150,12 +150,13 @@ together and takes two sessions of three hours: impacts in the first one, and re
 students have written a simulator from the lecture, and four projects lead on from there, each with a rubric.
 `collisions lab release --out week-4.zip --through impulse` writes all labs up to one.
 
-A session of two hours holds about the steps that the instructor's page of a lab calls *the lab*. Three labs need a
+A session of two hours holds about the steps that the instructor's page of a lab calls *the lab*. Four labs need a
 decision of yours:
 
 - `polyhedra` has 170 minutes of such steps. Give its steps 6 and 7, 45 minutes, as homework: the robot and the lid,
   which come after them, do not need them.
 - `response` has 130 minutes. Give its step 7 as homework.
+- `avoidance` has 140 minutes. Leave out its step 5, or the flock.
 - `friction` comes before `impulse`, and its step 6, the bowling ball, needs the cross product and the moment of
   inertia. If your class does not know them, come back to this step after `impulse`: step 7 does not need it.
 

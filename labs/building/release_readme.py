@@ -40,7 +40,7 @@ When you have done all ten labs, you have written a physics engine out of a lect
 friction, rest, and the loop that puts them together. This is what such an engine can do; every state in the picture was
 computed by a `step_world` of the last lab, with the forces of the seventh:
 
-![A heap between two walls, a jelly that falls, and a brick that turns over.](labs/figures/own_engine.svg)
+![A heap between walls, a jelly that falls, and a brick that turns over.](labs/figures/own_engine.svg)
 
 Yours runs beside PyBullet, MuJoCo and DART: `collisions compare cradle --implementation labs/notebooks/world.ipynb`. At
 the end of `world.ipynb` are four projects to take it further, each with a rubric: a superball, a domino row, cloth on a
