@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 import atexit
+import contextlib
 import hashlib
 import json
 import re
@@ -16,7 +17,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from labs.correct_functions import package_of_correct_functions
@@ -221,6 +222,14 @@ def _read_earlier(path: Path) -> tuple[Submission | None, list[str]]:
 
     A program that a student mends there may have the name of a function of another lab, and is not that function.
     """
+    with contextlib.suppress(OSError):  # which reading it says in words
+        return _read_once(path, path.read_bytes())
+    return _read_once(path, b"")
+
+
+@lru_cache(maxsize=2 * len(lecture.TOPICS))
+def _read_once(path: Path, _content: bytes) -> tuple[Submission | None, list[str]]:
+    """What `_read_earlier` returns for a file of that content: each run of a lab asks for it, and it rarely changes."""
     wanted = [entry.name for entry in lecture.functions_of(path.stem) if entry.role == "written"]
     everything = read(path, wanted)
     unread = [str(complaint) for complaint in everything.complaints if complaint.kind == "unreadable"]

@@ -22,11 +22,13 @@ from solutions.checks import (
     vector,
 )
 from solutions.friction.impact import positive_definite
-from solutions.friction.impact_course import HALVINGS, Course, follow
+from solutions.friction.impact_course import Course, follow
 from solutions.scaling import in_unit, moderate_equations
 
 AGAIN = 1e-9
 """A speed of approach at the end below this share of the speed before is rounding."""
+BETWEEN, ROUNDS = np.arange(1, 16) / 16, 15
+"""Where a round looks between two directions; after all of them π is halved 60 times."""
 
 
 def dissipative_impulse(
@@ -291,29 +293,41 @@ def _least_energy_on_the_edge(
 ) -> Array:
     """J_t of least energy where the cone ends before the energy does, (n, 2).
 
+    It lies between two directions. Each round looks at directions between
+    them, and goes on from the last to which the energy still falls.
+
     reach: μ c. lean: μ a, (n, 2). downhill: −slope of the energy without
     friction.
     """
-    middle = np.arctan2(downhill[:, 1], downhill[:, 0])
-    low, high = middle - np.pi / 2, middle + np.pi / 2
-    for _ in range(HALVINGS):
-        angle = (low + high) / 2
-        d = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        turned = np.stack([-d[:, 1], d[:, 0]], axis=-1)
-        bottom = np.vecdot(downhill, d) / np.vecdot(d, np.matvec(curvature, d))
-        opening = 1 + np.vecdot(lean, d)
-        edge = np.where(
-            opening > 0, reach / np.where(opening > 0, opening, 1.0), np.inf
-        )
-        along = np.minimum(edge, bottom)[:, None] * d
-        slope = np.matvec(curvature, along) - downhill
-        way = (
-            turned
-            - (
-                np.where(edge < bottom, np.vecdot(lean, turned) / opening, 0.0)
-            )[:, None]
-            * d
-        )
-        falls = np.vecdot(slope, way) < 0
-        low, high = np.where(falls, angle, low), np.where(falls, high, angle)
-    return np.asarray(along)
+    if not len(reach):
+        return downhill
+    cone = [x[:, None] for x in (reach, lean, downhill, curvature)]
+    low, width = np.arctan2(downhill[:, 1], downhill[:, 0]) - np.pi / 2, np.pi
+    for _ in range(ROUNDS):
+        _, falls = _on_the_edge(low[:, None] + width * BETWEEN, *cone)
+        passed = np.sum(np.logical_and.accumulate(falls, axis=-1), axis=-1)
+        width /= len(BETWEEN) + 1
+        low = low + width * passed
+    along, _ = _on_the_edge(low[:, None] + width / 2, *cone)
+    return along[:, 0]
+
+
+def _on_the_edge(
+    angle: Array, reach: Array, lean: Array, downhill: Array, curvature: Array
+) -> tuple[Array, Array]:
+    """J_t of least energy in a direction, and whether a turn lowers it more.
+
+    (..., 2) and (...). A turn to the left, along the edge of the cone.
+    """
+    d = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    turned = np.stack([-d[..., 1], d[..., 0]], axis=-1)
+    bottom = np.vecdot(downhill, d) / np.vecdot(d, np.matvec(curvature, d))
+    opening = 1 + np.vecdot(lean, d)
+    edge = np.where(
+        opening > 0, reach / np.where(opening > 0, opening, 1.0), np.inf
+    )
+    along = np.minimum(edge, bottom)[..., None] * d
+    slope = np.matvec(curvature, along) - downhill
+    grows = np.where(edge < bottom, np.vecdot(lean, turned) / opening, 0.0)
+    way = turned - grows[..., None] * d
+    return along, np.vecdot(slope, way) < 0
