@@ -29,8 +29,8 @@ into code, the tests that fail when its formula is broken and what they are judg
 test in hand-written code and three engines, and a figure. `python docs/statement_table.py` writes this page from
 `reference/lecture/functions.py`, the marks in `tests/`, `docs/statement_engines.py` and `docs/figures/`.
 
-*Labs* are those whose functions belong to the statement, with the steps in which they come; step 8 of friction and of
-meshes is what there is to read after these labs. *Graded* counts the functions that a student writes for it and that
+*Labs* are those whose functions belong to the statement, with the steps in which they come; what there is to read
+after a lab counts as a step of it: {reading}. *Graded* counts the functions that a student writes for it and that
 tests judge. Where nobody writes a function of the statement, it counts, after *within*, the written functions that
 need one. *Read* means that its functions are only shown.
 
@@ -110,8 +110,16 @@ def figures() -> list[tuple[int, str, str]]:
 def page() -> str:
     """The whole page."""
     tests, drawn = marked_tests(), figures()
-    head = HEAD.format(legend="\n".join(f"- {line}" for line in statement_engines().legend()))
+    legend = "\n".join(f"- {line}" for line in statement_engines().legend())
+    head = HEAD.format(legend=legend, reading=", ".join(_read_afterwards()))
     return head + _overview(tests, drawn) + "".join(_section(entry, tests, drawn) for entry in STATEMENTS)
+
+
+def _read_afterwards() -> list[str]:
+    """The labs whose last step has no function that a student writes, each with that step."""
+    last = {topic.name: max(entry.step for entry in functions_of(topic.name)) for topic in TOPICS}
+    writing = {(entry.topic, entry.step) for name in last for entry in functions_of(name) if entry.role == "written"}
+    return [f"{name} {step}" for name, step in last.items() if (name, step) not in writing]
 
 
 def _functions(number: int) -> list[tuple[str, str]]:

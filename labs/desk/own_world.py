@@ -9,7 +9,7 @@ import numpy as np
 
 from labs.desk.display import Replay
 from labs.desk.own_motion import YOURS
-from labs.grading.diagnosis.probes.world_scenes import BALL, BOX, FLOOR, PLANE, thing, world
+from labs.plain_worlds import BALL, BOX, FLOOR, PLANE, thing, world
 from reference.errors import InvalidInput
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.viewer import page

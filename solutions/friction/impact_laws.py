@@ -27,8 +27,8 @@ from solutions.scaling import in_unit, moderate_equations
 
 AGAIN = 1e-9
 """A speed of approach at the end below this share of the speed before is rounding."""
-BETWEEN, ROUNDS = np.arange(1, 16) / 16, 15
-"""Where a round looks between two directions; after all of them π is halved 60 times."""
+BETWEEN, SEARCHES = np.arange(1, 16) / 16, 15
+"""Where a search looks between two directions, and how often; 16¹⁵ is 2⁶⁰."""
 
 
 def dissipative_impulse(
@@ -293,7 +293,7 @@ def _least_energy_on_the_edge(
 ) -> Array:
     """J_t of least energy where the cone ends before the energy does, (n, 2).
 
-    It lies between two directions. Each round looks at directions between
+    It lies between two directions. Each search looks at directions between
     them, and goes on from the last to which the energy still falls.
 
     reach: μ c. lean: μ a, (n, 2). downhill: −slope of the energy without
@@ -303,7 +303,7 @@ def _least_energy_on_the_edge(
         return downhill
     cone = [x[:, None] for x in (reach, lean, downhill, curvature)]
     low, width = np.arctan2(downhill[:, 1], downhill[:, 0]) - np.pi / 2, np.pi
-    for _ in range(ROUNDS):
+    for _ in range(SEARCHES):
         _, falls = _on_the_edge(low[:, None] + width * BETWEEN, *cone)
         passed = np.sum(np.logical_and.accumulate(falls, axis=-1), axis=-1)
         width /= len(BETWEEN) + 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.probes.world_scenes import BALL, BOX, FLOOR, PLANE, thing, world
+from labs.plain_worlds import BALL, BOX, FLOOR, PLANE, thing, world
 from solutions.impulse import rotation_matrix
 from solutions.world import (
     candidate_pairs,

@@ -6,19 +6,10 @@ import math
 
 import numpy as np
 
-from labs.grading.diagnosis.probes.world_scenes import (
-    BALL,
-    BOX,
-    FLOOR,
-    PLANE,
-    contacts,
-    load,
-    orientation,
-    thing,
-    world,
-)
+from labs.grading.diagnosis.probes.world_scenes import orientation
 from labs.grading.judging.comparison import expect, plainly, refuse_changes
 from labs.grading.judging.markers import asks
+from labs.plain_worlds import BALL, BOX, FLOOR, PLANE, contacts, load, thing, world
 
 X, Y, UP, LEANS, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 INFINITY = math.inf

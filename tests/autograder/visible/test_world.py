@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from labs.grading.diagnosis.probes.world_scenes import BALL, BOX, EMPTY, FLOOR, PLANE, contacts, load, thing, world
 from labs.grading.judging.comparison import expect, numbers, plainly, refuse_changes
 from labs.grading.judging.markers import asks
+from labs.plain_worlds import BALL, BOX, EMPTY, FLOOR, PLANE, contacts, load, thing, world
 
 UP, REST, UNTURNED, LEANS = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.8, 0.0, 0.6, 0.0]
 INFINITY = math.inf

@@ -8,15 +8,26 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes.probe import Draw, Probe, edge, made, usual
+from labs.plain_worlds import (
+    BALL,
+    BOX,
+    EMPTY,
+    FLOOR,
+    PLANE,
+    REST,
+    UNTURNED,
+    UP,
+    WEIGHT,
+    contacts,
+    load,
+    thing,
+    world,
+)
 from reference.arrays import Array
 
-BALL, BOX, PLANE = range(3)
-INFINITY = float("inf")
-UNTURNED, LEANS = (1.0, 0.0, 0.0, 0.0), (0.8, 0.0, 0.6, 0.0)
-UP, REST = (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+LEANS = (0.8, 0.0, 0.6, 0.0)
 SLANTED = (2 / 3, -1 / 3, 2 / 3)
 """A unit normal along no axis; (1, 2, 0) and (−4, 2, 5) are at right angles to it."""
-WEIGHT = np.array([0.0, 0.0, -10.0])
 _TURNS = ((1, 2, 2, 4, 5), (1, 1, 3, 5, 6), (2, 2, 4, 5, 7), (1, 4, 4, 4, 7))
 """Whole numbers with a² + b² + c² + d² = e²."""
 
@@ -25,58 +36,6 @@ def orientation(draw: Draw) -> Array:
     """A unit quaternion, of no simple turn."""
     *parts, length = _TURNS[draw.rng.integers(len(_TURNS))]
     return np.asarray(draw.rng.permutation(parts) * draw.rng.choice([-1, 1], 4) / length)
-
-
-def thing(
-    kind: int,
-    size: Any,
-    mass: float = INFINITY,
-    position: Any = REST,
-    orientation: Any = UNTURNED,
-    velocity: Any = REST,
-    spin: Any = REST,
-) -> tuple[Any, ...]:
-    """One body: its inverse mass, its moments, kind and size, and how it starts; without a mass nothing moves it."""
-    if kind == BALL:
-        size = (float(size), 0.0, 0.0)
-    a, b, c = np.square(size)
-    if mass == INFINITY:
-        moments = np.full(3, INFINITY)
-    elif kind == BALL:
-        moments = 0.4 * mass * np.full(3, a)
-    else:
-        moments = mass / 3 * np.array([b + c, c + a, a + b])
-    return 1 / mass, moments, kind, size, position, orientation, velocity, spin
-
-
-FLOOR = thing(PLANE, UP)
-EMPTY = np.zeros(0, int), np.zeros((0, 3))
-"""The memory of a step without contacts."""
-
-
-def world(things: Sequence[tuple[Any, ...]], restitution: Any = 0.5, friction: Any = 0.0, meet: Any = True) -> Any:
-    """Bodies and their state, in the plain arrays of the lab. Coefficients: (n, n), or one for all."""
-    share, moments, kind, size, *state = (np.array(column) for column in zip(*things, strict=True))
-    tables = (np.array(np.broadcast_to(table, (len(things), len(things)))) for table in (restitution, friction, meet))
-    e, mu, meets = tables
-    bodies = (share, moments, e.astype(float), mu.astype(float), meets.astype(bool), kind, size.astype(float))
-    return bodies, tuple(each.astype(float) for each in state)
-
-
-def contacts(*several: tuple[int, int, Any, Any, float]) -> tuple[Any, ...]:
-    """Contacts by hand: A, B, place, normal and separation of each."""
-    if not several:
-        return np.zeros(0, int), np.zeros(0, int), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(0, int)
-    a, b, point, normal, separation = (np.array(column) for column in zip(*several, strict=True))
-    places = np.asarray(point, dtype=float), np.asarray(normal, dtype=float), np.asarray(separation, dtype=float)
-    return a, b, *places, np.arange(10, 10 + len(several))
-
-
-def load(bodies: Any, others: Any = REST, turning: Any = REST) -> Array:
-    """Weight and other forces, and torques, on each body, (n, 6); nothing on what cannot be moved."""
-    movable = bodies[0] > 0
-    mass = np.where(movable, 1 / np.where(movable, bodies[0], 1.0), 0.0)[:, None]
-    return np.concatenate([mass * WEIGHT + (mass > 0) * others, (mass > 0) * np.asarray(turning)], axis=-1)
 
 
 # Where bodies touch
