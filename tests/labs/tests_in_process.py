@@ -60,7 +60,20 @@ def collected(*folders):
     return found
 
 
-def run_test(test, points, submission, seed=1):
+class Lost(Exception):
+    """A part of a test is lost, and nobody wants to know of the others."""
+
+
+def loses_a_part(test, points, submission, seed=1):
+    """Whether a submission loses a part of one test; none is tried after that."""
+    try:
+        lost, _ = run_test(test, points, submission, seed, to_the_end=False)
+    except Lost:
+        return True
+    return lost > 0
+
+
+def run_test(test, points, submission, seed=1, to_the_end=True):
     """The points that a submission loses in one test, and what was said."""
     said, earned = [], []
 
@@ -70,6 +83,8 @@ def run_test(test, points, submission, seed=1):
         try:
             yield
         except (AssertionError, CollisionsError) as error:
+            if not to_the_end:
+                raise Lost from error
             said.append(f"{reason}: {error}")
         else:
             failure = submission.case_by_case.charge()

@@ -100,7 +100,7 @@ def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> lis
     can work ahead.
     """
     foresee = getattr(call, "foresee", None)
-    given = [probe.arguments if foresee else _copied(probe.arguments) for probe in probes]
+    given = [probe.arguments if foresee else copied(probe.arguments) for probe in probes]
     answers = []
     for at, probe in enumerate(probes):
         if foresee:
@@ -123,9 +123,10 @@ def _asked(call: Callable[..., Any], function: str, arguments: tuple[Any, ...], 
     return Answer(value, changed=changed, printed=getattr(call, "printed", ""))
 
 
-def _copied(value: Any) -> Any:
+def copied(value: Any) -> Any:
+    """Arguments that a function may write to."""
     if isinstance(value, tuple):
-        return tuple(_copied(item) for item in value)
+        return tuple(copied(item) for item in value)
     return value.copy() if isinstance(value, np.ndarray) else value
 
 

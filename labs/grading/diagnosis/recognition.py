@@ -15,7 +15,17 @@ from typing import Any
 import numpy as np
 
 from labs.grading.calling.cases import OneCase
-from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs, spread
+from labs.grading.diagnosis.deviations import (
+    Answer,
+    Deviation,
+    Right,
+    ask,
+    copied,
+    deviation_of,
+    fitted,
+    outputs,
+    spread,
+)
 from labs.grading.diagnosis.findings import LEAST, Counterexample, Diagnosis, Unnamed, Verdict
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known, of_functions
 from labs.grading.diagnosis.probes import Group, Probe, probes
@@ -104,7 +114,7 @@ def _one_at_a_time(
 def _alone(call: Callable[..., Any], function: str, case: OneCase, probe: Probe) -> Answer | None:
     """The answer to a probe with several contacts, by a call for each; None if these fail as well."""
     try:
-        return Answer(case.one_by_one(lambda *given: call(function, *given), probe.arguments))
+        return Answer(case.one_by_one(lambda *given: call(function, *given), copied(probe.arguments)))
     except GraderFailed:
         raise
     except Exception:  # whatever a function raises, here or in a worker

@@ -341,8 +341,8 @@ def test_first_what_collides_and_then_what_rests(submission, part):
         expect(submission.respond, row([2, 0, 0], [1, 1, 1], pairs), along([0.125, 0.375, 1.5]))
         four = along([-1.076353385, -0.650233692, 3.044389438, 3.285414433])  # after four rounds
         expect(submission.respond, row([4, 0, 0, -1], [12, 1, 16, 3]), four)
-        between = along([-0.573008000, 0.977387701, 2.427419375])  # a light one between two heavy ones, after 21 rounds
-        expect(submission.respond, row([2, 0, -1], [400, 1, 300]), between)
+        between = along([-1.275570474, 0.597704855, 1.724661188])  # a light one between two heavy ones, after 12 rounds
+        expect(submission.respond, row([2, 0, -1], [100, 1, 120]), between)
         slowly = [0.025 * WAY] * 2, np.zeros((2, 3)), [[0.025, 0, 0]]
         expect(submission.respond, row([0.05, 0], [1, 1]), slowly)
     with part(1, "a box lands on a corner, on an edge, on its foot"):

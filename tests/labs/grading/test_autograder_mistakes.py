@@ -14,7 +14,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tests_in_process import FOLDER, TOPICS, Asked, collected, loaded, run_test
+from tests_in_process import FOLDER, TOPICS, Asked, collected, loaded, loses_a_part, run_test
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
@@ -79,24 +79,23 @@ TESTS = collected("visible", "hidden")
 """By function: folder, test and points."""
 
 
+def asking(function, runs):
+    """The tests of a function with their points; or without scenarios."""
+    return [it[1:] for it in TESTS[function] if runs or "with_solutions" not in it[1].__code__.co_names]
+
+
 def lost(function, submission, seed=1, runs=True):
     """The points that a submission loses in the tests of a function, and what was said; or without scenarios."""
     total, said = 0, []
-    for missed, lines in judged(function, submission, seed, runs):
+    for test, points in asking(function, runs):
+        missed, lines = run_test(test, points, submission, seed)
         total, said = total + missed, said + lines
     return total, said
 
 
-def judged(function, submission, seed, runs):
-    """The same of each test in turn."""
-    for _, test, points in TESTS[function]:
-        if runs or "with_solutions" not in test.__code__.co_names:
-            yield run_test(test, points, submission, seed)
-
-
 def loses(function, submission, seed=1, runs=True):
-    """Whether a submission loses points in the tests of a function; asks no more tests once it has."""
-    return any(missed for missed, _ in judged(function, submission, seed, runs))
+    """Whether a submission loses points in the tests of a function; asks nothing more once it has."""
+    return any(loses_a_part(test, points, submission, seed) for test, points in asking(function, runs))
 
 
 @pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
