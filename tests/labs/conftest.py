@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.metadata
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -60,16 +61,24 @@ def one_worker(monkeypatch) -> None:
 
 @contextlib.contextmanager
 def engines_missing(folder: Path) -> Iterator[None]:
-    """Let none be imported, neither here nor in a worker."""
+    """Let none be imported, neither here nor in a worker, nor its version be known here."""
+    packages = [package for name in engine_names() if (package := load_engine(name).package)]
+    version = importlib.metadata.version
 
     def forget() -> None:
         stop_workers()  # those that are idle have imported them already
         absent.cache_clear()
 
-    for package in filter(None, (load_engine(name).package for name in engine_names())):
+    def version_of_others(package: str) -> str:
+        if package in packages:
+            raise importlib.metadata.PackageNotFoundError(package)
+        return version(package)
+
+    for package in packages:
         (folder / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(folder))
+        patch.setattr(importlib.metadata, "version", version_of_others)
         forget()
         yield
     forget()

@@ -6,17 +6,14 @@ import re
 
 import pytest
 from program import collisions
-from whole_report import check_whole
 
 from labs.cli import show
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
-from reference.engines.profiles import counts
 from reference.recording import files
 from reference.recording.entries import Entry
 from reference.recording.reading import replay
-from reference.report.row_files import read_published, read_rows
 
 pytestmark = pytest.mark.usefixtures("no_engine_here", "one_worker")
 
@@ -106,28 +103,3 @@ def test_every_recorded_case_has_a_replay(name):
             poses = replay(job, case)
             assert poses.positions.shape[0] == len(poses.times) > 10
             assert "was recorded on" in poses.recording
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(2400)  # took 1320 s on a machine three times slower, beside other programs
-def test_in_the_whole_report_every_recorded_number_agrees(tmp_path):
-    said = collisions("report", "--out", tmp_path / "report")
-    assert said.code == 0, said.errors
-    rows = read_rows(tmp_path / "report" / "rows.json")
-    assert {row.engine for row in rows if row.measured is not None} == set(engine_names())
-    assert "not available" not in {str(row.verdict) for row in rows}
-    told = {(row.family, row.engine, row.profile, row.case) for row in rows if row.engine in ENGINES}
-    assert told == {
-        (family.name, name, profile, case.name)
-        for family in catalogue().values()
-        for name in ENGINES
-        for case in family.cases
-        for profile in load_engine(name).profiles(case.scenarios[0])
-    }
-    judged = {str(row.verdict) for row in rows if counts(row.profile) and row.expected is not None}
-    assert judged == {"pass", "known deviation", "disagrees"}
-    check_whole(rows)
-    page = (tmp_path / "report" / "index.html").read_text(encoding="utf-8")
-    assert all(f"{title}*" in page for title in TITLES)
-    others = {str(row.verdict) for row in read_published(tmp_path / "report" / "published.json")}
-    assert others == {"pass", "known deviation", "disagrees", "cannot express", "no words"}
