@@ -26,5 +26,5 @@ def shown() -> None:
     from IPython.core.getipython import get_ipython  # noqa: PLC0415 - the program has no notebook
     from IPython.display import display  # noqa: PLC0415
 
-    if get_ipython() is not None:  # type: ignore[no-untyped-call]
+    if get_ipython() is not None:
         display(PageStyle())  # type: ignore[no-untyped-call]
