@@ -57,9 +57,10 @@ class Lab(Guiding, Predicting, Questions):
     @errors_in_words
     def begin(self, topic: str) -> None:
         """Say which lab this is, which engines are available here, and which earlier functions were found."""
-        from labs.desk import engine_status  # noqa: PLC0415
+        from labs.desk import engine_status, page_style  # noqa: PLC0415
 
         self.topic = lecture.topic(topic).name
+        page_style.shown()
         print(f"{lecture.topic(topic).title} ({self.topic})")
         for line in engine_status.answering():
             print(line)

@@ -18,6 +18,7 @@ from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of, 
 from labs.building.lessons import Cell, Lesson, lessons, read
 from labs.building.points import points_of
 from labs.building.revealed_answers import answers_of, compact
+from labs.building.seeded_questions import as_python
 from labs.grading.submission.reading import DRAFT
 from labs.grading.submission.stubs import AGAIN, VERSION
 from reference import lecture
@@ -150,7 +151,9 @@ def solved(topic: str) -> dict[str, Any]:
         elif cell.kind != "model":
             _common(draft, replace(cell, text=cell.guessed))
             for model in lesson.models(cell.key) if cell.kind == "answer" else ():
-                draft.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
+                draft.add(
+                    "markdown", _framed("A good answer, and how it is marked", as_python(model.text)), **_answer(cell)
+                )
     return _notebook(draft)
 
 

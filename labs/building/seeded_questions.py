@@ -19,6 +19,7 @@ from labs.building import lessons
 from labs.guidance.expressions import expression
 
 _RESULT = re.compile(r"^```result\n(.*?)^```", re.MULTILINE | re.DOTALL)
+_HEAD = re.compile(r"^```result$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,11 @@ def questions(topic: str, student: str) -> list[Question]:
         text = "\n".join(model.text for model in lesson.models(key))
         found.append(Question(key, numbers, _results(text, numbers)))
     return found
+
+
+def as_python(text: str) -> str:
+    """A model answer with its results as lines of Python: a page would print a language that it does not know."""
+    return _HEAD.sub("```python", text)
 
 
 def _asked(cells: Iterator[str]) -> Iterator[tuple[str, dict[str, tuple[float, ...]]]]:

@@ -43,7 +43,9 @@ _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
 _BOX = "min-width:0;max-width:100%"
 _SCROLLS = "overflow-x:auto"
 """A table that is wider than the page, as on a telephone, scrolls in a box of its own, and its notes stay in sight."""
-_CELL = "padding:2px 12px 2px 0;text-align:{};border:0;background:none"
+_CELL = "padding:2px clamp(5px,1.5vw,12px) 2px 0;text-align:{};border:0;background:none"
+_NUMBER = "right;white-space:nowrap"
+"""Columns are closer where the page is narrow, and a number stays on one line with its unit."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +74,7 @@ class Table:
         yield f'<div style="{_BOX}"><b>{escape(self.title)}</b><div style="{_SCROLLS}"><table style="{_STYLE}">'
         for kind, row in [("th", self.headings), *(("td", row) for row in self.rows)] if self.rows else []:
             cells = (
-                f'<{kind} style="{_CELL.format("left" if place == 0 else "right")}">{escape(text)}</{kind}>'
+                f'<{kind} style="{_CELL.format("left" if place == 0 else _NUMBER)}">{escape(text)}</{kind}>'
                 for place, text in enumerate(row)
             )
             yield f"<tr>{''.join(cells)}</tr>"

@@ -33,6 +33,8 @@ SHOWN_RATE = 60
 """Samples a second that a screen shows."""
 LEAST_RATIO, MOST_RATIO = 0.36, 0.75
 """Height over width of a picture."""
+LEAST = 0.02
+"""Share of its radius by which a ball moves at least, to be shown where it began."""
 LOOKS = {"handwritten": 0, "pybullet": 1, "mujoco": 2, "dart": 3}
 """The look that an engine has in every replay; other runs take a free one."""
 
@@ -136,6 +138,15 @@ class Clip:
         escapes = {ord(sign): f"\\u{ord(sign):04x}" for sign in "<>&\u2028\u2029"}
         return text.translate(escapes)
 
+    def covered(self, run: Run) -> list[int]:
+        """The places of the balls that move, and hide the whole of their way: a ring shows where these began."""
+        shapes = {solid.name: solid.shape for solid in self.solids}
+        radii = np.array([getattr(shapes[name], "radius", 0.0) for name in run.bodies])
+        if not run.count or not run.bodies:
+            return []
+        most = np.linalg.norm(run.poses[..., :3] - run.poses[0, :, :3], axis=-1).max(axis=0)
+        return np.flatnonzero((most > LEAST * radii) & (most < radii)).tolist()
+
     def _marked(self) -> int:
         """The body, or the point of a mesh, that is at some time furthest from where the first run has it.
 
@@ -161,6 +172,7 @@ class Clip:
             "look": run.look,
             "dash": list(DASHES[run.look]),
             "width": WIDTHS[run.look],
+            "covered": self.covered(run),
             "marked": marked if marked < max(len(run.bodies), run.points.shape[1]) else 0,
             "shown": run.shown,
             "note": run.note,

@@ -41,8 +41,8 @@ _PAGE = """<!doctype html>
 
 def script() -> str:
     """The script, once for all replays of a page, below them; without the indents and comments of its source."""
-    lines = (line.strip() for line in _own("replay.js").splitlines())
-    return "\n".join(line for line in lines if line and not line.startswith("//")) + "\n"
+    lines = (f" {line}".partition(" // ")[0].strip() for line in _own("replay.js").splitlines())
+    return "\n".join(line for line in lines if line) + "\n"
 
 
 def style() -> str:

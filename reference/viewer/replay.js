@@ -250,6 +250,7 @@ class Replay {
   draw() {
     if (!this.visible || !this.pen) return;
     const { pen, clip, colours } = this, { runs, solids } = clip, parts = [];
+    this.painted = new Map(); // the parts of each run
     this.fit();
     pen.fillStyle = colours.page;
     pen.fillRect(0, 0, this.width, this.height);
@@ -260,13 +261,15 @@ class Replay {
     });
     if (runs[0]?.shown) {
       this.ways(runs[0]);
-      parts.push(...this.run(runs[0], colours.body));
+      this.painted.set(runs[0], this.run(runs[0], colours.body));
+      parts.push(...this.painted.get(runs[0]));
     }
     parts.sort((a, b) => a.depth - b.depth).forEach(part => this.paint(part)); // the furthest first
+    if (runs[0]?.shown) this.starts(runs[0]);
     runs.forEach((run, place) => {
       if (!run.shown) return;
       pen.setLineDash(run.dash);
-      if (place) this.run(run).forEach(part => this.paint(part));
+      if (place) this.painted.set(run, this.run(run)).get(run).forEach(part => this.paint(part));
       pen.setLineDash([]);
     });
     this.arrows(runs.find(run => run.shown && run.count));
@@ -382,6 +385,12 @@ class Replay {
     });
     pen.globalAlpha = 1;
   }
+  starts(run) { // rings where the centres of balls began that hide their way, and dots where they are
+    for (const i of run.covered) {
+      const start = [0, 1, 2].map(axis => run.at[3 * i + axis][0]), spots = [start, this.place(run, run.at, i)];
+      spots.forEach((at, k) => this.paint({ disc: this.project(at), radius: 5 - 3 * k, stroke: this.colours.ink }));
+    }
+  }
   mark(run) { // where its label goes, on the body furthest from the first run's; nothing where it has no body
     if (!run.bodies.length && !run.mesh) return null;
     return this.project(this.place(run, run.bodies.length ? run.at : run.net, run.marked));
@@ -396,16 +405,28 @@ class Replay {
     return groups;
   }
   name(group, count) { // its labels over the body, or under it where there is no room, clear of the others
-    const [run] = group, solid = this.clip.solids[run.bodies[run.marked]] || {}, [x, y] = this.mark(run);
-    const label = group.map(each => each.tag).join(" = ");
-    const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
-    const radius = solid.sphere || solid.capsule?.[0] || 0, least = this.scale * (radius || Math.min(...reach));
-    const up = y > least + 22 + 16 * count ? -1 : 1, wide = 8 * label.length;
+    const [run] = group, label = group.map(each => each.tag).join(" = "), wide = 8 * label.length;
+    const [x, y, least] = count > 1 ? this.beside(run) : this.around(run), above = y - least;
+    const up = above > 22 + 16 * count || above > this.height - y - least ? -1 : 1;
     let down = y + up * (least + 24);
     const meets = ([u, v, w]) => Math.abs(x - u) < (wide + w) / 2 && Math.abs(down - v) < 16;
     while (this.labels.some(meets)) down += 16 * up;
     this.labels.push([x, down, wide]);
     this.text(label, x, down, group.length > 1 ? this.colours.ink : this.colours[run.look], "bold");
+  }
+  beside(run) { // the middle of the marked body, and how far it reaches at least
+    const solid = this.clip.solids[run.bodies[run.marked]] || {}, [x, y] = this.mark(run);
+    const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
+    const radius = solid.sphere || solid.capsule?.[0] || 0;
+    return [x, y, this.scale * (radius || Math.min(...reach))];
+  }
+  around(run) { // the same of all that it shows: a single label would hide the bodies next to the marked one
+    const ends = this.painted.get(run).flatMap(({ disc, capsule, path, radius = 0 }) => (path || capsule || [disc])
+      .flatMap(([x, y]) => [[x - radius, y - radius], [x + radius, y + radius]]));
+    if (!ends.length) return this.beside(run);
+    const [[left, right], [top, bottom]] = [0, 1].map(axis => [Math.min, Math.max].map(most =>
+      ends.reduce((found, end) => most(found, end[axis]), ends[0][axis])));
+    return [(left + right) / 2, (top + bottom) / 2, (bottom - top) / 2];
   }
   text(words, x, y, colour, weight = "") {
     const { pen } = this;

@@ -76,6 +76,8 @@ def _drawn(clip: Clip, picture: Picture) -> Iterator[str]:
         yield from _ways(first, picture)
         parts += _run(clip, first, picture, f'class="body k{first.look}"')
     yield from (part.text for part in sorted(parts, key=lambda part: part.depth))
+    if first is not None and first.shown:
+        yield from _starts(first, clip.covered(first), picture)
     for run in clip.runs[1:]:
         if run.shown:
             yield f'<g class="k{run.look}" stroke-width="{WIDTHS[run.look]}" stroke-dasharray="{_dash(run)}">'
@@ -162,6 +164,13 @@ def _ways(run: Run, picture: Picture) -> Iterator[str]:
         way = np.round(picture.project(run.poses[kept, at, :3]), 1)
         if len(way) and np.ptp(way[:, :2], axis=0).max() > 1:
             yield f'<path class="k{run.look}" stroke-opacity=".45" d="{_path(way)}"/>'
+
+
+def _starts(run: Run, covered: Sequence[int], picture: Picture) -> Iterator[str]:
+    """A ring where the centre of each of these bodies began, and a dot where it is."""
+    for at in covered:
+        for (x, y, _), radius in zip(picture.project(run.poses[[0, -1], at, :3]).tolist(), (5, 1), strict=True):
+            yield f'<circle class="k{run.look}" cx="{x:.1f}" cy="{y:.1f}" r="{radius}"/>'
 
 
 def _legend(time: str, shown: Sequence[Run], clip: Clip, height: int) -> Iterator[str]:

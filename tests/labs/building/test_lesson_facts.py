@@ -84,3 +84,11 @@ def test_the_times_follow_from_their_counts_and_the_minutes_from_the_times(topic
 def test_a_students_code_can_be_read_at_800_pixels(topic):
     cells = [cell for cell in notebooks.student(topic)["cells"] if cell["cell_type"] == "code"]
     assert [line for cell in cells for line in cell["source"] if len(line.rstrip()) > WIDTH] == []
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_no_formula_is_broken_where_its_second_line_begins_a_list(topic):
+    prose = re.sub(r"(?ms)^```.*?^```", "", (LESSONS / f"{topic}.md").read_text(encoding="utf-8"))
+    for paragraph in re.split(r"\n\s*\n", prose):
+        for mark in re.finditer(r"\n[-+*] ", paragraph):
+            assert paragraph[: mark.start()].count("$") % 2 == 0, paragraph

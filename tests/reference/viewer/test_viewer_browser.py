@@ -116,6 +116,15 @@ def test_the_contacts_are_those_of_the_first_run_shown(browser, alone):
     assert found == {"label": "contacts of PyBullet"}
 
 
+def test_a_single_label_is_clear_of_all_bodies(browser):
+    browser.open(page.html([chain()]))
+    found = browser.run("""for (const [place, run] of replay.clip.runs.entries()) if (place) run.shown = false;
+        const second = { ...replay.clip.runs[0], tag: "other", shown: true }; replay.clip.runs.push(second);
+        replay.draw(); const [[, label]] = replay.labels; const [, middle, half] = replay.around(second);
+        found.count = replay.labels.length; found.clear = Math.abs(label - middle) >= half + 16;""")
+    assert found == {"count": 1, "clear": True}
+
+
 def test_a_new_width_redraws_the_picture_as_sharply(browser, alone):
     browser.open(alone, density=2)
     found = browser.run("""replay.show(20); const before = [canvas.width, ink(canvas)];

@@ -23,6 +23,7 @@ from reference.viewer.page import html
 from reference.viewer.picture_bounds import framed, seen_into
 from reference.viewer.poses import Poses
 from reference.viewer.shapes import Capsule, Convex, faces_of, vertices_of, written
+from reference.viewer.still import still
 
 TETRAHEDRON = Convex(
     ((0.3, 0.3, 0.3), (-0.3, -0.3, 0.3), (-0.3, 0.3, -0.3), (0.3, -0.3, -0.3)),
@@ -214,6 +215,17 @@ def test_the_body_that_is_marked_is_the_one_that_differs_most():
     other = points.copy()
     other[:, 2] += 0.1
     assert read(mesh_clip("", [], {"it": points, "other": other}))["runs"][1]["marked"] == 2
+
+
+def test_a_ball_that_hides_its_whole_way_is_shown_where_it_began():
+    poses = bouncing()
+    way, radius = poses.positions - poses.positions[:1], BALL.body("ball").shape.radius
+    near = replaced(poses, positions=poses.positions[:1] + 0.5 * radius * way / np.abs(way).max())
+    still_there = replaced(poses, positions=np.repeat(poses.positions[:1], len(poses.positions), axis=0))
+    covered = [read(clip(BALL, {"handwritten": each}))["runs"][0]["covered"] for each in (near, still_there, poses)]
+    assert covered == [[0], [], []]
+    rings = [still(clip(BALL, {"handwritten": each})).count(' r="5"/>') for each in (near, still_there, poses)]
+    assert rings == [1, 0, 0]
 
 
 # The view
