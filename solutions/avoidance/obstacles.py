@@ -22,8 +22,9 @@ def side_of(towards: ArrayLike, *wishes: ArrayLike) -> Array:
 
     Parameters
     ----------
-    towards : (..., 3), unit, the direction of what lies ahead; zero at its
-    centre wishes : (..., 3) each, of any length, such as headings
+    towards : (..., 3), unit
+        The direction of what lies ahead; zero at its centre.
+    wishes : (..., 3) each, of any length, such as headings
         The first wish counts that has a part across `towards`.
 
     Returns
