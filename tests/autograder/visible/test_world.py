@@ -213,6 +213,7 @@ def test_the_impact_runs_through_the_row(submission, part):
         light = [-1.076353385, -0.650233692, 3.044389438, 3.285414433]
         expect(submission.propagate_impacts, ([4, 0, 0, -1], [12, 1, 16, 3], 1.0), light)
         expect(submission.propagate_impacts, ([0, 0, -1], 1.0, 1.0, 1), [0.0, -1.0, 0.0])
+        expect(submission.propagate_impacts, ([0, 0, -1], 1.0, 1.0, 2), [-1.0, 0.0, 0.0])
         expect(submission.propagate_impacts, ([1, 0, 0], 1.0, 1.0, 1), [0.0, 0.0, 1.0])  # one round of two impacts
         found = numbers(submission.propagate_impacts, (np.array([2, 0, 0]), 1.0, np.array([0.5, 1.0])))
         assert np.allclose(found, [0.125, 0.375, 1.5]), f"whole numbers in, and {found} in place of (0.125, 0.375, 1.5)"
@@ -227,6 +228,8 @@ def test_the_impact_runs_through_the_row(submission, part):
 def test_the_problem_of_resting_contacts(submission, part):
     with part(1, "one body on one contact"):
         expect(submission.resting_problem, ([[0, 0, 1]], np.eye(3) / 2, [0, 0, -20]), ([[0.5]], [-10.0]))
+        turning = ([[0, 0, 1, 2, -1, 0]], np.diag([0.5, 0.5, 0.5, 1, 2, 4]), [0, 0, -20, 3, 1, 0])  # a torque, too
+        expect(submission.resting_problem, turning, ([[6.5]], [-6.0]))
         g, w = [[1, 2, 0], [0, -1, -1]], [[2, 1, 0], [1, 3, 1], [0, 1, 4]]  # two contacts
         expect(submission.resting_problem, (g, w, [1, 2, 3]), ([[18, -9], [-9, 9]], [24.0, -24.0]))
     with part(1, "two loads in one call"):
