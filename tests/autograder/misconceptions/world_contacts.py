@@ -34,6 +34,13 @@ def along_any_axis(low, high):
     return np.argwhere(np.triu(np.any(both, axis=-1), 1))
 
 
+def with_one_strict(low, high):
+    """Pairs that overlap, but not those of which the second box begins where the first one ends."""
+    low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
+    loose, strict = low[:, None] <= high[None], low[:, None] < high[None]
+    return np.argwhere(np.triu(np.all(loose, axis=-1) & np.all(strict, axis=-1).T, 1))
+
+
 def finite_alone(low, high):
     """Pairs of boxes that have an end."""
     found = candidate_pairs(low, high)
@@ -121,6 +128,9 @@ BANK = (
     M("candidate_pairs", "touching left out", pairs(begin=np.less),
       "Boxes that only touch are left out: < stands in place of ≤.",
       "One box ends at x = 2, and another begins there. Do they overlap, as the description has it?"),
+    M("candidate_pairs", "touching left out one way", with_one_strict,
+      "One of the two comparisons has < in place of ≤: of boxes that only touch, some are left out.",
+      "One box ends at x = 2, and another begins there. Do both of your comparisons say that they overlap?"),
     M("candidate_pairs", "along any axis", along_any_axis,
       "It is enough for it that two boxes overlap along one axis. They have to along all three.",
       "Two boxes are side by side on the floor, 3 m apart. Along which axes do they overlap?"),
@@ -200,9 +210,15 @@ BANK = (
     M("collect_contacts", "meet ignored", with_(kept=lambda meet, i, j: np.ones(len(i), dtype=bool)),
       "Bodies that do not meet have contacts all the same.",
       "Which part of `bodies` makes no difference to your answer?"),
+    M("collect_contacts", "each with itself", with_(kept=lambda meet, i, j: meet[i, i] & meet[j, j]),
+      "A pair is kept if each of its bodies meets itself: `meet` is asked about i and i, and about j and j.",
+      "Which entry of the table says whether bodies i and j meet?"),
     M("collect_contacts", "one place a pair", with_(told=first_place),
       "Only the first place of each two bodies is kept: a box would stand on one corner.",
       "At how many places does a box touch the floor on which it stands?"),
+    M("collect_contacts", "longest reach", with_(box=lambda rotation, size: np.max(size, axis=-1, keepdims=True)),
+      "A box reaches as far as its longest half extent along every axis; its corners may reach farther.",
+      "A cube stands on one corner. How high is its middle above the floor?"),
     M("collect_contacts", "shortest reach", with_(box=lambda rotation, size: np.min(size, axis=-1, keepdims=True)),
       "A box reaches as far as its shortest half extent along every axis.",
       "A rod lies along x. How far does it reach along x?"),

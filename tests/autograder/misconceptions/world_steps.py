@@ -220,7 +220,7 @@ BANK = (
       "No impact has a rebound: the restitution makes no difference.",
       "Which part of `bodies` makes no difference to your answer?"),
     M("respond", "the first pair's restitution", with_(e=lambda table, i, j: table[0, 1]),
-      "All pairs have the restitution of bodies 0 and 1.",
+      "There is one restitution for all pairs; the table has one for each two bodies.",
       "Where in the table is the restitution of the two bodies of this contact?"),
     M("respond", "impacts without friction", with_(mu=lambda table, i, j: 0.0),
       "Impacts have no friction; only what rests has.",

@@ -213,6 +213,7 @@ def test_the_impact_runs_through_the_row(submission, part):
         light = [-1.076353385, -0.650233692, 3.044389438, 3.285414433]
         expect(submission.propagate_impacts, ([4, 0, 0, -1], [12, 1, 16, 3], 1.0), light)
         expect(submission.propagate_impacts, ([0, 0, -1], 1.0, 1.0, 1), [0.0, -1.0, 0.0])
+        expect(submission.propagate_impacts, ([0, 0, -1], 1.0, 1.0, 2), [-1.0, 0.0, 0.0])
         expect(submission.propagate_impacts, ([1, 0, 0], 1.0, 1.0, 1), [0.0, 0.0, 1.0])  # one round of two impacts
         found = numbers(submission.propagate_impacts, (np.array([2, 0, 0]), 1.0, np.array([0.5, 1.0])))
         assert np.allclose(found, [0.125, 0.375, 1.5]), f"whole numbers in, and {found} in place of (0.125, 0.375, 1.5)"
@@ -227,6 +228,8 @@ def test_the_impact_runs_through_the_row(submission, part):
 def test_the_problem_of_resting_contacts(submission, part):
     with part(1, "one body on one contact"):
         expect(submission.resting_problem, ([[0, 0, 1]], np.eye(3) / 2, [0, 0, -20]), ([[0.5]], [-10.0]))
+        turning = ([[0, 0, 1, 2, -1, 0]], np.diag([0.5, 0.5, 0.5, 1, 2, 4]), [0, 0, -20, 3, 1, 0])  # a torque, too
+        expect(submission.resting_problem, turning, ([[6.5]], [-6.0]))
         g, w = [[1, 2, 0], [0, -1, -1]], [[2, 1, 0], [1, 3, 1], [0, 1, 4]]  # two contacts
         expect(submission.resting_problem, (g, w, [1, 2, 3]), ([[18, -9], [-9, 9]], [24.0, -24.0]))
     with part(1, "two loads in one call"):
@@ -495,13 +498,21 @@ def test_one_step_of_the_world(submission, part):
         step(tower, (*rest, key, carried), sweeps=0, memory=(np.array(key), np.array(carried)))
         other = np.array([9, *key[::-1]]), np.array([[4.0, 0, 0], *carried[::-1]])
         step(tower, (*rest, key, carried), sweeps=0, memory=other)
-    with part(1, "two balls strike in the air, no pair is special; a box deep in the floor turns out of it"):
+    with part(1, "two balls strike in the air, and three; no pair is special; a box deep in the floor turns out of it"):
         a = thing(BALL, 0.5, 1.0, REST, velocity=2 * WAY)
         b = thing(BALL, 0.5, 3.0, 0.95 * WAY, velocity=-WAY)
         after = -1.375 * WAY, 0.125 * WAY
         places = [0.125 * after[0], 0.95 * WAY + 0.125 * after[1]]
         wanted = places, [UNTURNED] * 2, after, np.zeros((2, 3)), [65536], REST
         step(world([a, b]), wanted, (0, 0, 0))
+        masses, speeds = (120.0, 1.0, 100.0), (2, 0, -1)  # a light one between two heavy ones takes twelve rounds
+        balls = [
+            thing(BALL, 0.5, m, k * WAY, velocity=v * WAY) for k, m, v in zip(range(3), masses, speeds, strict=True)
+        ]
+        after = np.outer([-0.732651762, 1.138495645, 2.267797158], WAY)
+        places = np.outer([0, 1, 2], WAY) + 0.125 * after
+        wanted = places, [UNTURNED] * 3, after, [REST] * 3, [65536, 5 * 65536], [REST] * 2
+        step(world(balls, 1.0), wanted, (0, 0, 0), near=(0.1, 0.01))
         near = world([thing(BALL, 0.5, 1.0, REST), thing(BALL, 0.5, 1.0, (0, 0.9, 0))])
         apart = [[0, -0.01, 0], [0, 0.91, 0]], [UNTURNED] * 2, [REST] * 2, [REST] * 2, [65536], REST
         step(near, apart, (0, 0, 0))

@@ -61,6 +61,7 @@ def _pairs() -> list[Probe]:
         usual("three in a heap", [[0, 0, 0], [1, 0, 1], [0, 1, 1]], [[2, 2, 2], [3, 2, 3], [2, 3, 3]]),
         usual("a small one far away", [[-900, 0, 0], [-901, 0, 0]], [[-899, 1, 1], [-899.5, 1, 1]]),
         edge("they touch", [[0, 0, 0], [2, 0, 0]], [[2, 2, 2], [3, 2, 2]]),
+        edge("they touch, and the second begins first", [[2, 0, 0], [0, 0, 0]], [[3, 2, 2], [2, 2, 2]]),
         edge("they touch at a corner", [[0, 0, 0], [2, 2, 2]], [[2, 2, 2], [3, 3, 3]]),
         edge("the same twice", [[0, 0, 0], [0, 0, 0]], [[2, 2, 2], [2, 2, 2]]),
         edge(
@@ -94,6 +95,7 @@ def _propagate() -> list[Probe]:
         usual("of four the last two approach", [-1, 0, 0, -2], 1.0, 0.5),
         usual("a light one between heavy ones", [1, 0, 0], [16, 1, 16], 1.0),
         usual("one sweep at most", [0, 0, -1], 1.0, 1.0, 1),
+        usual("two sweeps at most", [0, 0, -1], 1.0, 0.5, 2),
         edge("a wall at the end", [1, 0, 0], [1, 1, INFINITY], 1.0),
         edge("a single ball", [3], 1.0, 0.5),
         edge("all at the same speed", [2, 2, 2], 1.0, 0.5),

@@ -67,9 +67,12 @@ def _collecting() -> list[Probe]:
         ("a ball at a box", [box, thing(BALL, 0.5, 2.0, (1.9, -1, 0.9))], 0.01, {}),
         ("a ball at a box that leans", [thing(BALL, 0.5, 2.0, (2.2, -0.5, 3.5)), tilted], 0.5, {}),
         ("two that do not meet", [low, other, FLOOR], 0.01, {"meet": [[1, 0, 1], [0, 1, 1], [1, 1, 1]]}),
+        ("each meets all others", [low, other, FLOOR], 0.01, {"meet": [[0, 1, 1], [1, 0, 1], [1, 1, 0]]}),
         ("two immovable bodies", [FLOOR, thing(BOX, (1, 1, 1), position=(3, 1, -0.5)), low], 0.01, {}),
         ("a long box that is turned",
          [thing(BOX, (3, 0.1, 0.1), 1, REST, LEANS), thing(BALL, 0.5, 1, (0.9, 0.3, -2.5))], 0.01, {}),
+        ("a rod that stands along y",
+         [thing(BOX, (3, 0.1, 0.1), 1, REST, (0.5, 0.5, 0.5, 0.5)), thing(BALL, 0.25, 1, (0, 2.5, 0.3))], 0.01, {}),
         ("a box on its corner", [thing(BOX, (1, 1, 1), 1, (0, 0, 1.6), (0.5, 0.5, 0.1, 0.7)), FLOOR], 0.2, {}),
     ]  # fmt: skip
     by_hand = [usual(note, *world(things, **more), margin) for note, things, margin, more in scenes]
@@ -160,6 +163,7 @@ def _responding() -> list[Probe]:
         usual("it hardly leaves", *_on_floor(_falling((0, 1, 0.5)), UNDER)),
         usual("a gap that this step closes", *_on_floor(_falling(REST), UNDER, gap=0.0625)),
         usual("a gap that it does not close", *_on_floor(_falling(REST), UNDER, gap=0.25)),
+        usual("a gap above a rough floor", *_on_floor(_falling((1, 0, 0)), UNDER, gap=0.0625, friction=0.25)),
         usual("in overlap", *_on_floor(_falling(REST), UNDER, gap=-0.125)),
         usual("it strikes in overlap", *_on_floor(_falling((0, 1, -4)), UNDER, gap=-0.125)),
         usual("it is pulled up", *_on_floor(_falling(REST), UNDER, others=(0, 0, 50))),

@@ -154,6 +154,16 @@ def candidate_pairs_7(lower, upper):
     return np.array(found, dtype=int).reshape(-1, 2)
 
 
+def candidate_pairs_8(lower, upper):
+    """The comparison is < on one side and ≤ on the other."""
+    low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
+    if not np.all(low <= high):
+        raise ValueError("a lower corner is above an upper one")
+    t = np.all(low[:, None] <= high[None], axis=-1)
+    u = np.all(low[:, None] < high[None], axis=-1)
+    return np.argwhere(np.triu(t & u.T, 1))
+
+
 def collect_contacts_1(bodies, state, margin):
     """|R h| instead of |R| h."""
     inverse_mass, *_, meet, kind, size = bodies
@@ -281,3 +291,34 @@ def collect_contacts_8(bodies, state, margin):
     _, first = np.unique(np.stack(found[:2], axis=-1), axis=0, return_index=True)
     first = np.sort(first)
     return tuple(part[first] for part in found)
+
+
+def collect_contacts_9(bodies, state, margin):
+    """The box reaches as far as its longest half edge along all axes."""
+    inverse_mass, *_, meet, kind, size = bodies
+    position = state[0]
+    reach = np.max(size, axis=1)[:, None] * np.ones(3)
+    reach = np.where(kind[:, None] == 0, size[:, :1], reach)
+    reach = np.where(kind[:, None] == 2, np.inf, reach)
+    reach = reach + margin / 2
+    pairs = candidate_pairs(position - reach, position + reach)
+    i, j = pairs[:, 0], pairs[:, 1]
+    fixed = (inverse_mass[i] == 0) & (inverse_mass[j] == 0)
+    keep = meet[i, j] & ~fixed
+    return manifolds(bodies, state, pairs[keep], margin)
+
+
+def collect_contacts_10(bodies, state, margin):
+    """A pair meets if each of the two meets itself."""
+    inverse_mass, *_, meet, kind, size = bodies
+    position, orientation, *_ = state
+    R = rotation_matrix(orientation)
+    reach = np.matvec(np.abs(R), size)
+    reach = np.where(kind[:, None] == 0, size[:, :1], reach)
+    reach = np.where(kind[:, None] == 2, np.inf, reach)
+    reach = reach + margin / 2
+    pairs = candidate_pairs(position - reach, position + reach)
+    i, j = pairs[:, 0], pairs[:, 1]
+    fixed = (inverse_mass[i] == 0) & (inverse_mass[j] == 0)
+    keep = meet[i, i] & meet[j, j] & ~fixed
+    return manifolds(bodies, state, pairs[keep], margin)

@@ -160,6 +160,52 @@ def propagate_impacts_9(velocity, mass, restitution, most=10000):
     return v
 
 
+def propagate_impacts_10(velocity, mass, restitution, most=10000):
+    """(1 + e)/2 for 1 + e."""
+    v = np.array(velocity, dtype=float)
+    n = v.shape[-1]
+    m = np.broadcast_to(np.asarray(mass, dtype=float), (n,))
+    e = np.broadcast_to(np.asarray(restitution, dtype=float), (n - 1,))
+    if not np.all(m > 0) or np.any(np.isinf(m[1:]) & np.isinf(m[:-1])):
+        raise ValueError("mass")
+    if np.any(e < 0) or np.any(e > 1) or not np.all(np.isfinite(v)):
+        raise ValueError("e or velocity")
+    share = 1 / m
+    for _ in range(most):
+        before = v.copy()
+        for i in range(n - 1):
+            u = np.maximum(v[..., i] - v[..., i + 1], 0.0)
+            j = (1 + e[i]) / 2 * u / (share[i] + share[i + 1])
+            v[..., i] -= j * share[i]
+            v[..., i + 1] += j * share[i + 1]
+        if np.array_equal(before, v):
+            break
+    return v
+
+
+def propagate_impacts_11(velocity, mass, restitution, most=10000):
+    """The limit `most` counts pairs and not rounds."""
+    v = np.array(velocity, dtype=float)
+    n = v.shape[-1]
+    m = np.broadcast_to(np.asarray(mass, dtype=float), (n,))
+    e = np.broadcast_to(np.asarray(restitution, dtype=float), (n - 1,))
+    if not np.all(m > 0) or np.any(np.isinf(m[1:]) & np.isinf(m[:-1])):
+        raise ValueError("mass")
+    if np.any(e < 0) or np.any(e > 1) or not np.all(np.isfinite(v)):
+        raise ValueError("e or velocity")
+    share = 1 / m
+    for _ in range(max(1, most // max(n - 1, 1))):
+        before = v.copy()
+        for i in range(n - 1):
+            u = np.maximum(v[..., i] - v[..., i + 1], 0.0)
+            j = (1 + e[i]) * u / (share[i] + share[i + 1])
+            v[..., i] -= j * share[i]
+            v[..., i + 1] += j * share[i + 1]
+        if np.array_equal(before, v):
+            break
+    return v
+
+
 def resting_problem_3(jacobian, inverse_mass, force):
     """The offset b with the opposite sign."""
     g = np.asarray(jacobian, dtype=float)
@@ -414,6 +460,180 @@ def respond_3(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
                 motion[j] = np.concatenate([v_j, w_j])
                 collided[pair] = True
         break
+    motion = motion.ravel()
+    speed = rows @ motion
+    least = np.maximum(np.where(collided, speed, -np.inf), -np.maximum(gap, 0.0) / dt)
+    A, c = resting_problem(rows, share, load.ravel())
+    offset = speed + c * dt - least
+    push = solve_by_sweeps(A, offset, sweeps, start[:, 0])
+    mu = friction[a, b]
+    motion = motion + dt * share @ load.ravel()
+    if np.any(mu > 0):
+        begin = np.column_stack([push, start[:, 1:]])
+        motion, impulse = sequential_impulses(motion, G, share, mu, sweeps, start=begin, least=least)
+    else:
+        motion = motion + share @ (rows.T @ push)
+        impulse = np.column_stack([push, np.zeros((len(a), 2))])
+    motion = motion.reshape(-1, 6)
+    return motion[:, :3], motion[:, 3:], impulse
+
+
+def respond_4(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
+    """G v with the velocities before the impacts, also in the least speeds; what collided alone is carried."""
+    inverse_mass, moments, restitution, friction, *_ = bodies
+    position, orientation, velocity, spin = state
+    a, b, point, normal, gap, _ = contacts
+    turns = inverse_inertias(moments, orientation)
+    motion = np.concatenate([velocity, spin], axis=-1)
+    G = contact_frames(contacts, position)
+    rows = G[:, 0]
+    share = inverse_mass_matrix(inverse_mass, turns)
+    if len(a) == 0:
+        motion = motion.ravel() + dt * share @ load.ravel()
+        motion = motion.reshape(-1, 6)
+        return motion[:, :3], motion[:, 3:], np.zeros((0, 3))
+
+    def body(k, place):
+        arm = place - position[k]
+        return Body(motion[k, :3], motion[k, 3:], arm, inverse_mass[k], turns[k])
+
+    collided = np.zeros(len(a), dtype=bool)
+    for _ in range(100):
+        quiet = True
+        for pair in contacts_by_pair(contacts):
+            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            if len(closing):
+                i, j = a[pair[0]], b[pair[0]]
+                place = point[closing].mean(axis=0)
+                v_i, w_i, v_j, w_j = collide_with_friction(
+                    body(i, place),
+                    body(j, place),
+                    normal[pair[0]],
+                    restitution[i, j],
+                    friction[i, j],
+                )
+                motion[i] = np.concatenate([v_i, w_i])
+                motion[j] = np.concatenate([v_j, w_j])
+                collided[closing] = True
+                quiet = False
+        if quiet:
+            break
+    motion = motion.ravel()
+    speed = rows @ np.concatenate([velocity, spin], axis=-1).ravel()
+    least = np.where(collided, speed, -np.maximum(gap, 0.0) / dt)
+    A, c = resting_problem(rows, share, load.ravel())
+    offset = speed + c * dt - least
+    push = solve_by_sweeps(A, offset, sweeps, start[:, 0])
+    mu = friction[a, b]
+    motion = motion + dt * share @ load.ravel()
+    if np.any(mu > 0):
+        begin = np.column_stack([push, start[:, 1:]])
+        motion, impulse = sequential_impulses(motion, G, share, mu, start=begin, least=least)
+    else:
+        motion = motion + share @ (rows.T @ push)
+        impulse = np.column_stack([push, np.zeros((len(a), 2))])
+    motion = motion.reshape(-1, 6)
+    return motion[:, :3], motion[:, 3:], impulse
+
+
+def respond_5(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
+    """Restitution of the first contact for all pairs."""
+    inverse_mass, moments, restitution, friction, *_ = bodies
+    position, orientation, velocity, spin = state
+    a, b, point, normal, gap, _ = contacts
+    turns = inverse_inertias(moments, orientation)
+    motion = np.concatenate([velocity, spin], axis=-1)
+    G = contact_frames(contacts, position)
+    rows = G[:, 0]
+    share = inverse_mass_matrix(inverse_mass, turns)
+    if len(a) == 0:
+        motion = motion.ravel() + dt * share @ load.ravel()
+        motion = motion.reshape(-1, 6)
+        return motion[:, :3], motion[:, 3:], np.zeros((0, 3))
+
+    def body(k, place):
+        arm = place - position[k]
+        return Body(motion[k, :3], motion[k, 3:], arm, inverse_mass[k], turns[k])
+
+    collided = np.zeros(len(a), dtype=bool)
+    for _ in range(100):
+        quiet = True
+        for pair in contacts_by_pair(contacts):
+            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            if len(closing):
+                i, j = a[pair[0]], b[pair[0]]
+                place = point[closing].mean(axis=0)
+                v_i, w_i, v_j, w_j = collide_with_friction(
+                    body(i, place),
+                    body(j, place),
+                    normal[pair[0]],
+                    restitution[a[0], b[0]],
+                    friction[i, j],
+                )
+                motion[i] = np.concatenate([v_i, w_i])
+                motion[j] = np.concatenate([v_j, w_j])
+                collided[pair] = True
+                quiet = False
+        if quiet:
+            break
+    motion = motion.ravel()
+    speed = rows @ motion
+    least = np.maximum(np.where(collided, speed, -np.inf), -np.maximum(gap, 0.0) / dt)
+    A, c = resting_problem(rows, share, load.ravel())
+    offset = speed + c * dt - least
+    push = solve_by_sweeps(A, offset, sweeps, start[:, 0])
+    mu = friction[a, b]
+    motion = motion + dt * share @ load.ravel()
+    if np.any(mu > 0):
+        begin = np.column_stack([push, start[:, 1:]])
+        motion, impulse = sequential_impulses(motion, G, share, mu, sweeps, start=begin, least=least)
+    else:
+        motion = motion + share @ (rows.T @ push)
+        impulse = np.column_stack([push, np.zeros((len(a), 2))])
+    motion = motion.reshape(-1, 6)
+    return motion[:, :3], motion[:, 3:], impulse
+
+
+def respond_6(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
+    """Friction of the first contact in all impacts."""
+    inverse_mass, moments, restitution, friction, *_ = bodies
+    position, orientation, velocity, spin = state
+    a, b, point, normal, gap, _ = contacts
+    turns = inverse_inertias(moments, orientation)
+    motion = np.concatenate([velocity, spin], axis=-1)
+    G = contact_frames(contacts, position)
+    rows = G[:, 0]
+    share = inverse_mass_matrix(inverse_mass, turns)
+    if len(a) == 0:
+        motion = motion.ravel() + dt * share @ load.ravel()
+        motion = motion.reshape(-1, 6)
+        return motion[:, :3], motion[:, 3:], np.zeros((0, 3))
+
+    def body(k, place):
+        arm = place - position[k]
+        return Body(motion[k, :3], motion[k, 3:], arm, inverse_mass[k], turns[k])
+
+    collided = np.zeros(len(a), dtype=bool)
+    for _ in range(100):
+        quiet = True
+        for pair in contacts_by_pair(contacts):
+            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            if len(closing):
+                i, j = a[pair[0]], b[pair[0]]
+                place = point[closing].mean(axis=0)
+                v_i, w_i, v_j, w_j = collide_with_friction(
+                    body(i, place),
+                    body(j, place),
+                    normal[pair[0]],
+                    restitution[i, j],
+                    friction[a[0], b[0]],
+                )
+                motion[i] = np.concatenate([v_i, w_i])
+                motion[j] = np.concatenate([v_j, w_j])
+                collided[pair] = True
+                quiet = False
+        if quiet:
+            break
     motion = motion.ravel()
     speed = rows @ motion
     least = np.maximum(np.where(collided, speed, -np.inf), -np.maximum(gap, 0.0) / dt)
