@@ -42,9 +42,12 @@ computed by a `step_world` of the last lab, with the forces of the seventh:
 
 ![A heap between walls, a jelly that falls, and a brick that turns over.](labs/figures/own_engine.svg)
 
-Yours runs beside PyBullet, MuJoCo and DART: `collisions compare cradle --implementation labs/notebooks/world.ipynb`. At
-the end of `world.ipynb` are four projects to take it further, each with a rubric: a superball, a domino row, cloth on a
-heap, and a crowd through a door.
+Yours runs beside PyBullet, MuJoCo and DART:
+
+    collisions compare cradle --profile world --implementation labs/notebooks/world.ipynb
+
+At the end of `world.ipynb` are four projects to take it further, each with a rubric: a superball, a domino row, cloth
+on a heap, and a crowd through a door.
 """
 _README = """\
 # Collisions Lab

@@ -111,7 +111,8 @@ class Implementation:
 
 def _needs(name: str) -> NeedsFunction:
     entry = lecture.function(name)
-    return NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step})")
+    read = ", which is not for students to write" if entry.role == "read" else ""
+    return NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step}){read}")
 
 
 def _unwritten(error: NotImplementedError) -> str:

@@ -5,6 +5,7 @@ The student's world knows balls, boxes and planes, and one coefficient of fricti
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -43,9 +44,12 @@ Met = tuple[int, tuple[Array, ...]]
 
 
 def run(
-    scenario: Scenario, steps: int, settings: Settings, implementation: Implementation
+    scenario: Scenario, steps: int, settings: Settings, implementation: Implementation, stepped: Callable[[], None]
 ) -> tuple[list[Array], list[Met]]:
-    """Step one scenario; return the states of its samples, (bodies, 13) each, and the contacts."""
+    """Step one scenario; return the states of its samples, (bodies, 13) each, and the contacts.
+
+    stepped: called after each step, such as to stop a run that is too slow.
+    """
     step_world = implementation.function("step_world")
     bodies = _bodies(scenario, implementation)
     state: Any = tuple(np.split(np.array([body.state() for body in scenario.bodies]), (3, 7, 10), axis=-1))
@@ -61,6 +65,7 @@ def run(
         state, memory = _checked(result, len(scenario.bodies))
         if sampled:
             samples.append(np.concatenate(state, axis=-1))
+        stepped()
     return samples, met
 
 

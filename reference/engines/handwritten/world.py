@@ -28,14 +28,14 @@ from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Spher
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Contacts, Trajectory
 
-LOOKS_AFTER, LONGEST = 10.0, 100.0
-"""When it is looked at how long an ensemble will take in the world of the lab, and how long it may take, s.
+LOOKS_AFTER, LONGEST = 10.0, 200.0
+"""From when on it is looked at how long a job will take in the world of the lab, and how long it may take.
 
-A job may take 300 s, and then it could only say that its process was stopped.
+Processor time, s. A job may take 300 s of the clock, and then it could only say that its process was stopped.
 """
 TOO_SLOW = (
-    "too slow for {count} runs: your step_world took {taken:.0f} s for {done} of them, so that all would take"
-    " {whole:.0f} s; run one case, or take a longer timestep"
+    "too slow: your step_world took {taken:.0f} s for {done:,} of {steps:,} steps, so that all would take {whole:.0f}"
+    " s; run one case, or take a longer timestep"
 )
 
 
@@ -62,22 +62,30 @@ def run(
 def _run_one_by_one(
     engine: str, scenarios: Sequence[Scenario], steps: Sequence[int], settings: Settings, implementation: Implementation
 ) -> list[Trajectory]:
-    """Step each scenario in the world of the lab; of an ensemble that would take too long, say so early."""
-    start, found = time.perf_counter(), list[Trajectory]()
-    for each in zip(scenarios, steps, strict=True):
-        found.append(_run_small(engine, *each, settings, implementation))
-        taken = time.perf_counter() - start
-        whole = taken / len(found) * len(scenarios)
-        if len(found) < len(scenarios) and taken > LOOKS_AFTER and whole > LONGEST:
-            raise RunFailed(TOO_SLOW.format(count=len(scenarios), done=len(found), taken=taken, whole=whole))
-    return found
+    """Step each scenario in the world of the lab; of a job that would take too long, say so early."""
+    pace = _Pace(sum(steps))
+    return [_run_small(engine, *each, settings, implementation, pace) for each in zip(scenarios, steps, strict=True)]
+
+
+class _Pace:
+    """Says after each step whether all of them would take too long."""
+
+    def __init__(self, steps: int) -> None:
+        self.steps, self.done, self.start = steps, 0, time.process_time()
+
+    def stepped(self) -> None:
+        self.done += 1
+        taken = time.process_time() - self.start
+        whole = taken / self.done * self.steps
+        if taken > LOOKS_AFTER and whole > LONGEST:
+            raise RunFailed(TOO_SLOW.format(taken=taken, done=self.done, steps=self.steps, whole=whole))
 
 
 def _run_small(
-    engine: str, scenario: Scenario, steps: int, settings: Settings, implementation: Implementation
+    engine: str, scenario: Scenario, steps: int, settings: Settings, implementation: Implementation, pace: _Pace
 ) -> Trajectory:
     """Step one scenario in the world of the lab."""
-    samples, met = small_world.run(scenario, steps, settings, implementation)
+    samples, met = small_world.run(scenario, steps, settings, implementation, pace.stepped)
     contacts = _contacts(met, len(samples), 0, len(scenario.bodies))
     return _trajectory(engine, scenario, settings, _times(len(samples), settings), np.array(samples), contacts)
 

@@ -394,6 +394,7 @@ def test_impacts_come_first_and_then_what_rests_is_carried(submission, part, exa
         for speeds, masses, e in (
             ([3, 0, 0, 0], [1, 1, 1, 1], 1.0), ([2, 0, 0], [3, 1, 2], 1.0), ([2, 0, -2], [1, 3, 1], 1.0),
             ([2, 0, 0], [1, 1, 1], 0.5), ([0, 0, -2], [1, 2, 1], 0.75), ([1, 0.95, 0.5], [1, 1, 1], 0.5),
+            ([2, 0, -1], [1000, 1, 1200], 1.0),  # 37 rounds
         ):  # fmt: skip
             given, way = row_of(speeds, masses, e)
             given = (*given[:5], 0.0, *given[6:])  # whatever closes collides: nothing is left for the contacts at rest

@@ -208,6 +208,7 @@ def test_the_impact_runs_through_the_row(submission, part):
         expect(submission.propagate_impacts, ([6, 0], [2, 1], 0.5), [3.0, 6.0])
         expect(submission.propagate_impacts, ([0, -1, -2], [1, 3, 1], 1.0), [-1.5, -1.25, 0.25])
         expect(submission.propagate_impacts, ([1, 0, 0], [1, 1, INFINITY], 1.0), [-1.0, 0.0, 0.0])
+        expect(submission.propagate_impacts, ([2, -1], [1, INFINITY], 0.5), [-2.5, -1.0])  # a wall that comes nearer
         expect(submission.propagate_impacts, ([2e-4, 0, 0], 1.0, [0.5, 1.0]), [1.25e-5, 3.75e-5, 1.5e-4])
         expect(submission.propagate_impacts, ([-1, 0, 0, -2], 1.0, 0.5), [-1.09375, -1.03125, -0.46875, -0.40625])
         light = [-1.076353385, -0.650233692, 3.044389438, 3.285414433]
@@ -417,15 +418,15 @@ def test_first_what_collides_and_then_what_rests(submission, part):
         refuse_changes(submission.respond)
         # Two balls strike and two are pushed, and with each the floor has a friction of its own.
         mu = np.full((5, 5), 0.5)
-        mu[0, 1:] = mu[1:, 0] = [0.0625, 0.09375, 0.25, 0.125]
+        mu[0, 1:] = mu[1:, 0] = [0.0, 0.09375, 0.25, 0.125]
         arriving = [[2, 0, -4], [2, 0, -4], REST, REST]
         balls = [thing(BALL, 0.5, 2.0, (3 * k, 2, 0.5), UNTURNED, v) for k, v in enumerate(arriving, 1)]
         bodies, state = world([FLOOR, *balls], 0.5, mu)
         several = contacts(*((k, 0, (3 * k, 2, 0), UP, 0.0) for k in range(1, 5)))
         loads = load(bodies, [REST, REST, REST, [80, 0, 0], [80, 0, 0]])
-        leave = [REST, [1.546875, 0, 2], [1.428571429, 0, 2], [4.6875, 0, 0], [4.84375, 0, 0]]
-        spins = [REST, [0, 2.265625, 0], [0, 2.857142857, 0], [0, 1.5625, 0], [0, 0.78125, 0]]
-        carried = [[2.5, 0, 0.15625], [2.5, 0, 0.017857143], [2.5, 0, 0.625], [2.5, 0, 0.3125]]
+        leave = [REST, [2, 0, 2], [1.428571429, 0, 2], [4.6875, 0, 0], [4.84375, 0, 0]]
+        spins = [REST, REST, [0, 2.857142857, 0], [0, 1.5625, 0], [0, 0.78125, 0]]
+        carried = [[2.5, 0, 0], [2.5, 0, 0.017857143], [2.5, 0, 0.625], [2.5, 0, 0.3125]]
         given = (bodies, state, several, loads, 0.125, 2.5, 8, np.zeros((4, 3)))
         expect(submission.respond, given, (leave, spins, carried))
         small = falling([0, 0, -4e-3], REST, 1e-3)
