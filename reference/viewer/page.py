@@ -17,9 +17,12 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 _ABOUT = (
     "<style>:is([data-jp-theme-light=true],.vscode-light) .replay-frame{color-scheme:light}"
     ":is([data-jp-theme-light=false],.vscode-dark,[theme=dark]) .replay-frame{color-scheme:dark}"
-    "@media print{.replay-frame{display:none}}</style>"
+    "@media print{.replay-frame{display:none}:has(>.replay-frame){min-height:0!important}}</style>"
 )
-"""A frame is light or dark as the notebook about it (Jupyter, VS Code, Colab), not as the desktop. Paper has none."""
+"""A frame is light or dark as the notebook about it (Jupyter, VS Code, Colab), not as the desktop.
+
+Paper has none, and no room for it.
+"""
 _PAGE = """<!doctype html>
 <html lang="en">
 <head>
