@@ -218,7 +218,10 @@ def _common(draft: _Draft, cell: Cell) -> None:
         folded = {"jupyter": {"source_hidden": True}, "cellView": "form"}  # in Jupyter, and on Colab
         draft.add("code", _setup(draft.lesson), tags=["setup"], **folded)
     elif cell.kind == "given":
-        draft.add("code", _given(draft, cell), tags=["given"], jupyter={"source_hidden": True})
+        source = _given(draft, cell)
+        if not source:  # a solution above, which the student writes without it, has brought it along
+            return
+        draft.add("code", source, tags=["given"], jupyter={"source_hidden": True})
     else:
         draft.add("code" if cell.code else "markdown", cell.text)
 
@@ -233,6 +236,7 @@ def _setup(lesson: Lesson) -> str:
 
 
 def _given(draft: _Draft, cell: Cell) -> str:
+    """The functions that a cell gives; nothing if the notebook holds them already."""
     first = "" if draft.taken else "from __future__ import annotations\n\n" + imports_of(draft.excerpts.every) + "\n\n"
     found = draft.take(cell.names)
     written = {name for name, entry in lecture.FUNCTIONS.items() if entry.role == "written"}
@@ -240,6 +244,8 @@ def _given(draft: _Draft, cell: Cell) -> str:
     if shown:
         gives, needs = " ".join(cell.names), ", ".join(sorted(shown))
         raise InvalidInput(f"the lesson of {draft.lesson.topic} gives {gives}, which needs {needs}")
+    if not found:
+        return ""
     title = cell.text.lstrip("# ") or "Given: run it, and read what you like."
     return f"# {title}\n{first}{_silent(text_of(found))}"
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.tables import who
+from labs.guidance.drawings import CARD
 from reference.report import figures
 from reference.report.sections import Line
 
@@ -39,17 +40,17 @@ class Picture:
     text: str
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        return {"text/plain": self.text, "text/html": self._image("max-width"), "image/png": self.png}
+        return {"text/plain": self.text, "text/html": self._image(), "image/png": self.png}
 
     @property
     def markup(self) -> str:
         """The figure as part of a page, as wide as the place that it has there."""
-        return self._image("width")
+        return self._image(";width:100%")
 
-    def _image(self, fitted: str) -> str:
+    def _image(self, fitted: str = "") -> str:
         """The figure with its text as alternative text, which a bare PNG cannot carry."""
         content = base64.b64encode(self.png).decode("ascii")
-        return f'<img alt="{escape(self.text)}" style="{fitted}:100%" src="data:image/png;base64,{content}">'
+        return f'<img alt="{escape(self.text)}" style="{CARD}{fitted}" src="data:image/png;base64,{content}">'
 
 
 @dataclass(frozen=True)

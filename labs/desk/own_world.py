@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,8 @@ from labs.desk.own_motion import YOURS
 from labs.plain_worlds import BALL, BOX, FLOOR, PLANE, thing, world
 from reference.errors import InvalidInput
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
-from reference.viewer import page
+from reference.viewer import camera, page
 from reference.viewer.clip_making import clip
-from reference.viewer.picture_bounds import seen_into
 from reference.viewer.poses import Poses, rate_of
 
 __all__ = ["BALL", "BOX", "FLOOR", "PLANE", "film", "thing", "world"]
@@ -49,7 +49,7 @@ def film(bodies: Sequence[Any], states: Sequence[Any], dt: float, oblique: bool 
     names = tuple(parts[k].name for k in moving)
     poses = Poses(YOURS, names, times, places[seen][:, moving], turns[seen][:, moving])
     whole = clip(scenario, {YOURS: poses}, "your own world")
-    shown = page.frame(seen_into(whole) if oblique else whole)
+    shown = page.frame(replace(whole, view=camera.INTO) if oblique else whole)
     return Replay(f'<div style="max-width:640px">{shown}</div>', "[replay: yours]")
 
 

@@ -40,7 +40,7 @@ _NEEDS = "needs "
 _BEYOND = 10.0
 """A guess that is off by more than so many times theory is only said to be beyond that."""
 _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
-_BOX = "min-width:0;max-width:100%"
+_BOX = "min-width:0;max-width:100%;break-inside:avoid"
 _SCROLLS = "overflow-x:auto"
 """A table that is wider than the page, as on a telephone, scrolls in a box of its own, and its notes stay in sight."""
 _CELL = "padding:2px clamp(5px,1.5vw,12px) 2px 0;text-align:{};border:0;background:none"
@@ -101,7 +101,7 @@ class Tables:
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         markup = "".join("".join(table.markup()) for table in self.tables)
         row = f'<div style="display:flex;flex-wrap:wrap;gap:8px 40px">{markup}</div>'
-        above = _lines([self.title] if self.title else [])
+        above = [f'<div style="break-after:avoid">{escape(self.title)}</div>'] if self.title else []
         return {"text/plain": str(self), "text/html": "".join([*above, row, *_lines(self.notes)])}
 
 

@@ -15,7 +15,7 @@ from reference.errors import InvalidInput, UnknownName
 IN_TEXT = re.compile(r"!\[([^\]]*)\]\(figure:([\w-]+)\)")
 """A figure in a text in Markdown: its alternative text and its name."""
 _SVG = "{http://www.w3.org/2000/svg}"
-_CARD = (
+CARD = (
     "display:block;box-sizing:border-box;max-width:100%;height:auto;margin:4px 0;padding:8px;"
     "background-color:#ffffff;border-radius:6px"
 )
@@ -31,7 +31,7 @@ class Drawing:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         source = base64.b64encode(self.svg.encode()).decode("ascii")
-        markup = f'<img alt="{escape(self.alternative)}" style="{_CARD}" src="data:image/svg+xml;base64,{source}">'
+        markup = f'<img alt="{escape(self.alternative)}" style="{CARD}" src="data:image/svg+xml;base64,{source}">'
         return {"text/plain": f"[Figure: {self.alternative}]", "text/html": markup, "image/svg+xml": self.svg}
 
 

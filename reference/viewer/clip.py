@@ -147,6 +147,11 @@ class Clip:
         most = np.linalg.norm(run.poses[..., :3] - run.poses[0, :, :3], axis=-1).max(axis=0)
         return np.flatnonzero((most > LEAST * radii) & (most < radii)).tolist()
 
+    def words(self) -> str:
+        """What a text for those who do not see the picture adds to its title: the ring, where there is one."""
+        ring = bool(self.runs) and self.runs[0].shown and bool(self.covered(self.runs[0]))
+        return "; a ring where a ball’s centre began, a dot where it is" if ring else ""
+
     def _marked(self) -> int:
         """The body, or the point of a mesh, that is at some time furthest from where the first run has it.
 

@@ -17,9 +17,12 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 _ABOUT = (
     "<style>:is([data-jp-theme-light=true],.vscode-light) .replay-frame{color-scheme:light}"
     ":is([data-jp-theme-light=false],.vscode-dark,[theme=dark]) .replay-frame{color-scheme:dark}"
-    "@media print{.replay-frame{display:none}}</style>"
+    "@media print{.replay-frame{display:none}:has(>.replay-frame){min-height:0!important}}</style>"
 )
-"""A frame is light or dark as the notebook about it (Jupyter, VS Code, Colab), not as the desktop. Paper has none."""
+"""A frame is light or dark as the notebook about it (Jupyter, VS Code, Colab), not as the desktop.
+
+Paper has none, and no room for it.
+"""
 _PAGE = """<!doctype html>
 <html lang="en">
 <head>
@@ -58,7 +61,7 @@ def fragment(clip: Clip, autoplay: bool = False) -> str:
     """A replay as a piece of a page that has `style()` and, at its end, `script()`; without it the still is shown."""
     start = " data-autoplay" if autoplay else ""
     return (
-        f'<div class="replay" role="group" aria-label="{escape("Replay: " + clip.title)}"{start}>'
+        f'<div class="replay" role="group" aria-label="{escape(f"Replay: {clip.title}{clip.words()}")}"{start}>'
         f'<div class="replay-still">{still(clip, alone=False)}</div>'
         f'<script type="application/json">{clip.json()}</script></div>'
     )
@@ -88,9 +91,10 @@ def frame(clip: Clip) -> str:
     picture = base64.b64encode(still(clip).encode()).decode("ascii")
     page = escape(_page(clip.title, "replay-fill", fragment(clip)))
     label = escape(clip.title)
+    shown = f"{label}, the last frame{clip.words()}"
     return (
         f'<div style="position:relative;max-width:{FRAME_WIDTH}px;min-height:{FRAME_HEIGHT}px">'
-        f'<img alt="{label}, the last frame" style="width:100%" src="data:image/svg+xml;base64,{picture}">'
+        f'<img alt="{shown}" style="width:100%" src="data:image/svg+xml;base64,{picture}">'
         f'{_ABOUT}<iframe class="replay-frame" title="{escape("Replay: " + clip.title)}"'
         f' sandbox="allow-scripts" srcdoc="{page}"'
         ' style="position:absolute;top:0;left:0;width:100%;height:100%;border:0"></iframe></div>'

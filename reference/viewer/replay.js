@@ -259,6 +259,7 @@ class Replay {
     solids.forEach((solid, i) => {
       if (!moving.has(i)) parts.push(...this.parts(solid, solid.at, solid.turn, colours.dim, colours.still));
     });
+    this.rest = [...parts]; // the bodies that do not move
     if (runs[0]?.shown) {
       this.ways(runs[0]);
       this.painted.set(runs[0], this.run(runs[0], colours.body));
@@ -420,8 +421,9 @@ class Replay {
     const radius = solid.sphere || solid.capsule?.[0] || 0;
     return [x, y, this.scale * (radius || Math.min(...reach))];
   }
-  around(run) { // the same of all that it shows: a single label would hide the bodies next to the marked one
-    const ends = this.painted.get(run).flatMap(({ disc, capsule, path, radius = 0 }) => (path || capsule || [disc])
+  around(run) { // the same of all that is shown: a single label would hide the bodies next to the marked one
+    const parts = [...this.rest, ...this.painted.get(run)];
+    const ends = parts.flatMap(({ disc, capsule, path, radius = 0 }) => (path || capsule || [disc])
       .flatMap(([x, y]) => [[x - radius, y - radius], [x + radius, y + radius]]));
     if (!ends.length) return this.beside(run);
     const [[left, right], [top, bottom]] = [0, 1].map(axis => [Math.min, Math.max].map(most =>

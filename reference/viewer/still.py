@@ -47,8 +47,9 @@ def still(clip: Clip, alone: bool = True) -> str:
     shown = [run for run in clip.runs if run.shown]
     whole = height + LINE * (len(shown) + 1) + 6
     time = f"{clip.title}, {(clip.count - 1) / clip.rate:.2f} s"
+    label = escape(time + clip.words())
     content = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {whole}" role="img" aria-label="{escape(time)}"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {whole}" role="img" aria-label="{label}"'
         f' font-family="sans-serif" font-size="{LETTERS}" stroke-width="1.5" stroke-linejoin="round" fill="none">',
         f'<style>{STYLE}</style><path class="page" d="M0 0H{WIDTH}V{whole}H0z"/>' if alone else "",
         f'<svg width="{WIDTH}" height="{height}" viewBox="0 0 {WIDTH} {height}">',

@@ -121,8 +121,11 @@ def test_a_single_label_is_clear_of_all_bodies(browser):
     found = browser.run("""for (const [place, run] of replay.clip.runs.entries()) if (place) run.shown = false;
         const second = { ...replay.clip.runs[0], tag: "other", shown: true }; replay.clip.runs.push(second);
         replay.draw(); const [[, label]] = replay.labels; const [, middle, half] = replay.around(second);
-        found.count = replay.labels.length; found.clear = Math.abs(label - middle) >= half + 16;""")
-    assert found == {"count": 1, "clear": True}
+        found.count = replay.labels.length; found.clear = Math.abs(label - middle) >= half + 16;
+        const reach = () => replay.around(second)[2], without = reach();
+        replay.clip.solids.push({ sphere: 9, at: [0, 0, 0], turn: [1, 0, 0, 0] }); // which no run moves
+        replay.draw(); found.rest = reach() > without;""")
+    assert found == {"count": 1, "clear": True, "rest": True}
 
 
 def test_a_new_width_redraws_the_picture_as_sharply(browser, alone):

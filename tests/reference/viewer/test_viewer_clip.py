@@ -226,6 +226,8 @@ def test_a_ball_that_hides_its_whole_way_is_shown_where_it_began():
     assert covered == [[0], [], []]
     rings = [still(clip(BALL, {"handwritten": each})).count(' r="5"/>') for each in (near, still_there, poses)]
     assert rings == [1, 0, 0]
+    told = [html([clip(BALL, {"handwritten": each})]).count("; a ring where") for each in (near, still_there, poses)]
+    assert told == [2, 0, 0]  # of the replay, and of its still picture
 
 
 # The view
