@@ -134,7 +134,7 @@ def pushes(figure: Figure) -> None:
         push = 1.15 * apart / (apart @ apart)
         arrow(axes, places[i], push, BLUE)
         arrow(axes, places[j], -push, BLUE)
-    names = ((0, (-2, -15)), (1, (13, 4)), (2, (0, 10)))
+    names = ((0, (-2, -15)), (1, (2, -18)), (2, (0, 10)))
     for which, beside in names:
         axes.plot(*places[which], "o", color=INK, markersize=8, zorder=6)
         axes.annotate(str(which), places[which], beside, textcoords="offset points", ha="center", weight="bold")
