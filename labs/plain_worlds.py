@@ -25,7 +25,11 @@ def thing(
     velocity: Any = REST,
     spin: Any = REST,
 ) -> tuple[Any, ...]:
-    """One body: its inverse mass, its moments, kind and size, and how it starts; without a mass nothing moves it."""
+    """One body: its inverse mass, its moments, kind and size, and how it starts; without a mass nothing moves it.
+
+    size: the radius of a ball, m; (3,) the half extents of a box, m, or the normal of a plane. mass: kg. orientation:
+    (4,), a unit quaternion. position, velocity, spin: (3,), m, m/s and rad/s.
+    """
     if kind == BALL:
         size = (float(size), 0.0, 0.0)
     a, b, c = np.square(size)
@@ -53,7 +57,7 @@ def world(things: Sequence[tuple[Any, ...]], restitution: Any = 0.5, friction: A
 
 
 def contacts(*several: tuple[int, int, Any, Any, float]) -> tuple[Any, ...]:
-    """Contacts by hand: A, B, place, normal and separation of each."""
+    """Contacts by hand: A, B, place (3,), unit normal (3,) from B to A, and separation of each, m."""
     if not several:
         return np.zeros(0, int), np.zeros(0, int), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(0, int)
     a, b, point, normal, separation = (np.array(column) for column in zip(*several, strict=True))
@@ -62,7 +66,7 @@ def contacts(*several: tuple[int, int, Any, Any, float]) -> tuple[Any, ...]:
 
 
 def load(bodies: Any, others: Any = REST, turning: Any = REST) -> Array:
-    """Weight and other forces, and torques, on each body, (n, 6); nothing on what cannot be moved."""
+    """Weight and other forces, and torques, on each body, (n, 6), N and N m; nothing on what cannot be moved."""
     movable = bodies[0] > 0
     mass = np.where(movable, 1 / np.where(movable, bodies[0], 1.0), 0.0)[:, None]
     return np.concatenate([mass * WEIGHT + (mass > 0) * others, (mass > 0) * np.asarray(turning)], axis=-1)

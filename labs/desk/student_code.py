@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ast
 import atexit
-import contextlib
 import hashlib
 import json
 import re
@@ -222,9 +221,11 @@ def _read_earlier(path: Path) -> tuple[Submission | None, list[str]]:
 
     A program that a student mends there may have the name of a function of another lab, and is not that function.
     """
-    with contextlib.suppress(OSError):  # which reading it says in words
-        return _read_once(path, path.read_bytes())
-    return _read_once(path, b"")
+    try:
+        content = path.read_bytes()
+    except OSError:  # reading it as a notebook says so in words
+        content = b""
+    return _read_once(path, content)
 
 
 @lru_cache(maxsize=2 * len(lecture.TOPICS))

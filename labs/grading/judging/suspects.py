@@ -64,7 +64,7 @@ def _is_right(name: str, call: Callable[..., Any]) -> bool:
 
 @functools.cache
 def _cases(name: str) -> tuple[tuple[Probe, Right], ...]:
-    """The probes of a function that have a right answer; made once for all submissions, because drawing takes time."""
+    """The probes of a function that have a right answer; made once for all submissions, because reading takes time."""
     try:
         return tuple((probe, right) for probe, right in zip(probes(name), right_answers(name), strict=True) if right)
     except UnknownName:

@@ -97,7 +97,7 @@ def test_in_the_whole_report_every_counted_verdict_agrees(tmp_path, installed, c
 
 
 @pytest.mark.slow
-@pytest.mark.timeout(2400)  # took 1320 s on a machine three times slower, beside other programs
+@pytest.mark.timeout(2400)  # by itself it runs all hand-written code: some ten minutes on a machine three times slower
 def test_in_the_whole_report_every_recorded_number_agrees(tmp_path, no_engine, one_worker):
     said = collisions("report", "--out", tmp_path / "report")
     assert said.code == 0, said.errors

@@ -17,7 +17,7 @@ from reference.errors import UnknownName
 __all__ = ["GROUPS", "Group", "Probe", "probed", "probes"]
 
 
-@functools.cache  # drawing them takes time, and whoever asks for answers gives away copies
+@functools.cache  # drawing them takes time; a function that may write to its arguments is given copies
 def probes(function: str) -> tuple[Probe, ...]:
     """The probes of a function: usual and limiting cases, the simple ones first, then several at once, then bad input.
 

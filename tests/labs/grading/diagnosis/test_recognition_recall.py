@@ -92,7 +92,7 @@ def test_four_of_five_mistakes_by_others_are_named(lots):
     The sixth lot has 49 of 212 answers to the lab on the world, most of them of the first 98, for which its reader knew
     the lesson, the hints and the descriptions alone. The bank named 64 of 194, and another number of pairs passed for
     another shape; the other 18 answer `respond` by an older description. When the bank had grown, a person read every
-    name beside the code: two names were wrong and five half right. These seven are among the 49.
+    name beside its answer: two names were wrong and five half right. These seven are among the 49.
     """
     answers = [name for lot in lots for name in LOTS[lot]]
     named = [name for name in answers if FOUND[name][1]]
