@@ -14,7 +14,7 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist loadfile
 READY  := $(VENV)/.installed
 INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check
 
-.PHONY: help install report test docs verify lint clean
+.PHONY: help install report test docs live verify weekly lint clean
 help:            ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
 
@@ -44,8 +44,15 @@ docs: $(READY)   ## draw the figures of the pages and write the pages that come 
 	$(BIN)/python docs/statement_table.py
 	$(BIN)/python docs/symbol_table.py
 
-verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report, more examples of each property
-	$(PYTEST) -m 'slow or hypothesis' --hypothesis-profile=more --timeout=1200 --run-limit=4500 $(ARGS)
+live: $(READY)   ## run every scenario in every engine once, for the slow checks to read
+	$(BIN)/python tests/suite/live.py
+
+verify: lint live ## the slow checks: style, types, the whole catalogue, the whole bank of mistakes, the notebooks
+	$(PYTEST) -m 'slow and not weekly' --timeout=1200 --run-limit=4500 $(ARGS)
+
+weekly: live     ## the rest: every grid point, other seeds, other people's graders and platforms
+	$(PYTEST) -m weekly --timeout=2400 $(ARGS)
+	$(PYTEST) -m 'hypothesis and not weekly' --hypothesis-profile=more $(ARGS)
 
 clean:           ## remove the environment and what was built
-	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(OUT) .live .pytest_cache .mypy_cache .ruff_cache .hypothesis

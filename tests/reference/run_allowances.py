@@ -8,8 +8,9 @@ and an engine, and its pages, have 720 s of processor. Seconds are those of the 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable
+
+from reference.comparison.results import JobResult
 
 SECONDS = 10.0
 """For a family in an engine that is not named below. Most need less than 3 s, with their studies; slabs on 25 slopes by
@@ -26,19 +27,12 @@ NOISE = 2.0
 """A run takes up to half as long again beside others on the same processors; only beyond twice is something wrong."""
 
 
-def too_long(timings: Iterable[Mapping[str, Any]], slowness: float) -> dict[tuple[str, str], float]:
+def too_long(results: Iterable[JobResult], slowness: float) -> dict[tuple[str, str], float]:
     """Families and engines that took longer than twice their allowance, and how long, s.
 
-    timings: the entries of a report's `timings.json`. What came from the cache took nothing. slowness: of the machine.
+    results: of the jobs of a report. slowness: of the machine.
     """
-    took = spent(timings, slowness)
-    return {pair: seconds for pair, seconds in took.items() if seconds > NOISE * MORE.get(pair, SECONDS)}
-
-
-def spent(timings: Iterable[Mapping[str, Any]], slowness: float) -> dict[tuple[str, str], float]:
-    """Processor time of each family in each engine, s."""
     took: Counter[tuple[str, str]] = Counter()
-    for entry in timings:
-        if not entry["cached"]:
-            took[entry["family"], entry["engine"]] += entry["processor_seconds"] / slowness
-    return dict(took.most_common())
+    for result in results:
+        took[result.job.family, result.job.engine] += result.processor_seconds / slowness
+    return {pair: seconds for pair, seconds in took.items() if seconds > NOISE * MORE.get(pair, SECONDS)}

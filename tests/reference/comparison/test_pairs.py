@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import replace
 
+import live
 import pytest
 
 from reference.catalogue.apart import REASONS, why_apart
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.pairs import NO_REASON, Reason, Relation, agreements, pairs
-from reference.comparison.results import Job
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines import engine_names, load_engine
-from reference.recording.reading import recall
+from reference.engines import load_engine
 
 
 def row(engine: str, measured: float | None, verdict: Verdict = Verdict.PASS, profile: str = "tuned", **others) -> Row:
@@ -98,13 +96,8 @@ def test_reasons_are_of_families_engines_and_profiles_that_there_are():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("family", catalogue())
-def test_every_recorded_number_that_nothing_accounts_for_has_a_reason(family):
-    found = [
-        recall(Job(family, name, profile))
-        for name in engine_names()
-        for profile in catalogue()[family].profiles(load_engine(name))
-    ]
-    rows = list(itertools.chain.from_iterable(result.rows for result in found if result is not None))
+def test_every_number_that_nothing_accounts_for_has_a_reason(family):
+    rows = [row for run in live.planned() if run[0] == family for row in live.rows(*run)]
     assert rows
     for pair in pairs(rows):
         assert pair.why or pair.relation is not Relation.APART, pair

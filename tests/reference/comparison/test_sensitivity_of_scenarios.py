@@ -64,9 +64,11 @@ EXCEPTIONS = {
 AGAIN = dict(zip(catalogue(), itertools.cycle(engine_names()), strict=False))
 """Of each family the implementation in which its faults are injected again, one implementation after another.
 
-To inject all of them again took more than twenty of a hundred minutes of processor time of `make verify`, on a machine
-three times slower than the one of the allowances. `collisions sensitivity --keep` does it.
+To inject all of them again took more than twenty minutes of processor time, on a machine three times slower than that of
+the allowances. `collisions sensitivity --keep` does it.
 """
+IN_VERIFY = tuple(catalogue())[: len(engine_names())]
+"""One family of each implementation. `make weekly` injects the faults of all others."""
 
 
 def measured(job: SensitivityJob) -> Sensitivity | None:
@@ -94,8 +96,14 @@ def test_every_fault_of_the_size_of_its_limit_turns_a_verdict_red(family):
         assert let_pass(each) <= allowed, each.engine
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("job", [job for job in JOBS if AGAIN[job.family] == job.engine], ids=str)
+@pytest.mark.parametrize(
+    "job",
+    [
+        pytest.param(job, marks=pytest.mark.slow if job.family in IN_VERIFY else pytest.mark.weekly, id=str(job))
+        for job in JOBS
+        if AGAIN[job.family] == job.engine
+    ],
+)
 def test_what_is_kept_is_what_is_measured_again(job, installed):
     installed(job.engine)
     seen = measured(job)

@@ -8,6 +8,7 @@ import random
 import warnings
 from dataclasses import replace
 
+import live
 import numpy as np
 import pytest
 from agreeing import same, same_curve
@@ -18,7 +19,6 @@ from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan
-from reference.published.jobs import run_job as published_now
 from reference.recording import checksums, sensitivity
 from reference.recording.files import FOLDER, never_recorded
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
@@ -43,7 +43,7 @@ as the recordings, and says why: so no number of a recording changes unnoticed, 
 SENSITIVITY = "0bc020c5b722702ec0a586339c67327da618c835a465460ce1941be3ebaddb73"
 """Of the file of the smallest faults, which `collisions sensitivity --keep` writes; changed here by a person too."""
 POINTS = 40
-"""Points of the grids that are run again, of each engine."""
+"""Points of the grids that `make weekly` runs again, of each engine; `make verify` the first few of them."""
 STRAIGHT = (
     "ball-to-rest",
     "corner",
@@ -72,7 +72,7 @@ def is_recorded(family: str, engine: str) -> bool:
 TURNS = {family: ENGINES[number % len(ENGINES)] for number, family in enumerate(catalogue())}
 """Of each family the engine in which `make test` judges its recording again, one engine after another.
 
-All recordings are judged where a report is made without engines (tests/labs/cli/test_without_engines.py).
+`make verify` compares all of them with a live run, verdicts included.
 """
 JUDGED = [job for job in JOBS if job.profile == "tuned" and job.engine == TURNS[job.family]]
 
@@ -141,15 +141,6 @@ def test_every_published_case_is_recorded_and_none_fails(name):
     assert not {case: note for case, (verdict, note) in verdicts.items() if verdict in wrong}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("job", JOBS, ids=str)
-def test_every_plotted_curve_is_recorded(job):
-    if not is_recorded(job.family, job.engine):
-        return
-    found = recall(replace(job, cases=(catalogue()[job.family].curve.case,), with_studies=False))
-    assert found.series is not None or Verdict.CANNOT_EXPRESS in {row.verdict for row in found.rows}
-
-
 @pytest.mark.parametrize("job", JUDGED, ids=str)
 def test_recorded_tuned_numbers_agree_with_theory(job):
     if is_recorded(job.family, job.engine):
@@ -170,46 +161,46 @@ def test_a_replay_starts_and_ends_with_its_scenario():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("job", [job for job in JOBS if job.profile == "tuned"], ids=str)
-def test_a_live_engine_repeats_the_recorded_numbers(job, installed):
-    installed(job.engine)
+@pytest.mark.parametrize("job", JOBS, ids=str)
+def test_a_live_engine_repeats_the_recorded_numbers(job):
+    now = live.result(job.family, job.engine, job.profile)
     if not is_recorded(job.family, job.engine):
         return
-    live = run_job(replace(job, with_studies=False))
-    for now, then in zip(live.rows, recall(job).rows, strict=True):
-        same(now, then)
+    then = recalled(job)
+    for row, kept in zip(now.rows, then.rows, strict=True):
+        same(row, kept)
+    assert then.series is not None or Verdict.CANNOT_EXPRESS in {row.verdict for row in then.rows}
+    if job.family in STUDIED and job.profile == "tuned":
+        same_studies(now, then)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("family", ["rolling-ball", "struck-rod"])
-def test_a_live_study_repeats_the_recorded_errors_and_shares(family, engine, installed):
-    installed(engine)
-    job = Job(family, engine, "tuned", (catalogue()[family].convergence.case,), with_studies=True)
-    live, then = run_job(job), recall(job)
-    assert live.convergence.timesteps == then.convergence.timesteps
+STUDIED = ("rolling-ball", "struck-rod")
+"""Of these the error against timestep is compared as well, with the shares of each setting in it."""
+
+
+def same_studies(now: JobResult, then: JobResult) -> None:
+    assert now.convergence.timesteps == then.convergence.timesteps
     near = 1e-6 * max(then.convergence.errors)  # as above, rounding that adds up
-    assert live.convergence.errors == pytest.approx(then.convergence.errors, abs=near)
-    assert [(share.kind, share.moved) for share in live.split.shares] == [
+    assert now.convergence.errors == pytest.approx(then.convergence.errors, abs=near)
+    assert [(share.kind, share.moved) for share in now.split.shares] == [
         (share.kind, share.moved) for share in then.split.shares
     ]
-    found, wanted = ([share.size for share in result.split.shares] for result in (live, then))
+    found, wanted = ([share.size for share in result.split.shares] for result in (now, then))
     assert found == pytest.approx(wanted, abs=near)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_repeats_the_recorded_published_cases(engine, installed):
-    installed(engine)
+def test_a_live_engine_repeats_the_recorded_published_cases(engine):
     for job in plan((), (engine,)):
-        live, kept = published_now(job), recorded.recall(job)
-        assert [row.verdict for row in live.rows] == [row.verdict for row in kept.rows], job.case
-        for now, then in zip(live.rows, kept.rows, strict=True):
+        now, kept = live.published(job), recorded.recall(job)
+        assert [row.verdict for row in now.rows] == [row.verdict for row in kept.rows], job.case
+        for row, then in zip(now.rows, kept.rows, strict=True):
             # As above, rounding that adds up: 1e-6 of a number, or a hundredth of what is judged by.
             if then.measured is not None:
-                found, wanted = ((row.measured, row.tolerance, row.shift) for row in (now, then))
+                found, wanted = ((each.measured, each.tolerance, each.shift) for each in (row, then))
                 near = pytest.approx(wanted, rel=1e-6, abs=0.01 * then.tolerance)
-                assert found == near, (job.case, now.figure, now.place)
+                assert found == near, (job.case, row.figure, row.place)
 
 
 def points(engine: str, count: int) -> list[Job]:
@@ -227,18 +218,20 @@ def _point(job: Job, drawn: random.Random) -> Job:
     return replace(job, grid=False, at=tuple((each.name, drawn.choice(each.values)) for each in parameters))
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize(
+    "count", [pytest.param(5, marks=pytest.mark.slow), pytest.param(POINTS, marks=pytest.mark.weekly)]
+)
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_repeats_recorded_points_of_the_grids(engine, installed):
+def test_a_live_engine_repeats_recorded_points_of_the_grids(engine, count, installed):
     installed(engine)
-    for job in points(engine, POINTS):
-        live, recorded = run_job(job), recall(job)
-        for now, then in zip(live.rows, recorded.rows, strict=True):
-            same(now, then)
-        if live.series is not None:
-            same_curve(live.series, recorded.series)
-        for track in live.poses:
-            now, then = unpack(track, ""), replay(job, live.rows[0].case)
+    for job in points(engine, count):
+        ran, kept = run_job(job), recall(job)
+        for row, recorded_row in zip(ran.rows, kept.rows, strict=True):
+            same(row, recorded_row)
+        if ran.series is not None:
+            same_curve(ran.series, kept.series)
+        for track in ran.poses:
+            now, then = unpack(track, ""), replay(job, ran.rows[0].case)
             # Both are rounded to whole steps: where the two runs differ by a rounding error, by one step at most.
             np.testing.assert_allclose(now.positions, then.positions, atol=1.01 * LENGTH, rtol=0, err_msg=str(job))
             np.testing.assert_allclose(now.orientations, then.orientations, atol=2.5 * TURN, rtol=0, err_msg=str(job))
