@@ -1,0 +1,177 @@
+"""Faults in the lab's own code, each with the test that notices it: `make weekly` makes them again.
+
+    python tests/faults/study.py run                        makes every fault of faults.csv, and runs its test
+    python tests/faults/study.py draw COVERAGE [--seed 41]  draws faults in lines that tests execute, into faults.csv
+    python tests/faults/study.py find COVERAGE              finds the test of each fault that has none
+
+COVERAGE is what `pytest --cov=reference --cov=labs --cov=solutions --cov-context=test` and `coverage json
+--show-contexts` write: which test executes which line. A fault is made in a copy of the tree, never in the tree itself.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
+
+from mutations import Fault, faults, with_fault
+
+ROOT = Path(__file__).parents[2]
+TABLE = Path(__file__).with_name("faults.csv")
+PACKAGES = ("reference", "labs", "solutions")
+OF_EACH = 20
+"""So many faults are drawn in each package."""
+LEVELS = {"test": "not slow and not weekly", "verify": "slow and not weekly", "weekly": "weekly"}
+LIMIT = 900.0
+"""Time that the tests of one fault may take, s; a fault may make a loop endless."""
+_COPIED = (*PACKAGES, "tests", "docs", "pyproject.toml", "README.md", "CONTRIBUTING.md", "Makefile", "LICENSE")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A row of the table. level: of the test that notices it, `none` where none does, empty before anybody looked."""
+
+    path: str
+    function: str
+    before: str
+    after: str
+    count: int
+    level: str = ""
+    test: str = ""
+
+    @property
+    def fault(self) -> Fault:
+        return Fault(self.path, self.function, self.before, self.after, self.count)
+
+
+def read() -> list[Entry]:
+    """The table."""
+    with TABLE.open(encoding="utf-8", newline="") as file:
+        return [Entry(**{**row, "count": int(row["count"])}) for row in csv.DictReader(file)]
+
+
+def write(entries: list[Entry]) -> None:
+    """Keep the table."""
+    with TABLE.open("w", encoding="utf-8", newline="") as file:
+        rows = csv.DictWriter(file, [field.name for field in fields(Entry)], lineterminator="\n")
+        rows.writeheader()
+        rows.writerows(map(asdict, entries))
+
+
+def draw(executed: dict[str, dict[int, list[str]]], seed: int) -> list[Entry]:
+    """Faults in executed lines, the same for the same seed; one in a line at most."""
+    drawn, found = random.Random(seed), []
+    for package in PACKAGES:
+        lines: dict[tuple[str, int], list[Fault]] = {}
+        for path in sorted(each for each in executed if each.startswith(f"{package}/")):
+            for line, fault in faults(ROOT, path):
+                if executed[path].get(line):
+                    lines.setdefault((path, line), []).append(fault)
+        places = drawn.sample(sorted(lines), OF_EACH)
+        found += [Entry(**asdict(drawn.choice(lines[place]))) for place in places]
+    return found
+
+
+def executing(entry: Entry, executed: dict[str, dict[int, list[str]]]) -> Iterator[str]:
+    """The tests that execute the line of a fault."""
+    for line, fault in faults(ROOT, entry.path):
+        if fault == entry.fault:
+            yield from sorted({test.partition("|")[0] for test in executed.get(entry.path, {}).get(line, [])} - {""})
+            return
+
+
+def noticed(entry: Entry, tests: list[str], level: str) -> str:
+    """The first of these tests of a level that fails with the fault; empty if none does."""
+    with tempfile.TemporaryDirectory() as place:
+        copy = Path(place, "lab")
+        copy.mkdir()
+        for name in _COPIED:
+            source = ROOT / name
+            if source.is_dir():
+                shutil.copytree(source, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+            else:
+                shutil.copy2(source, copy / name)
+        target = copy / entry.path
+        target.write_text(with_fault(target.read_text(encoding="utf-8"), entry.fault), encoding="utf-8")
+        environment = os.environ | {"PYTHONPATH": str(copy), "MPLBACKEND": "Agg", "COLLISIONS_LIVE": "here"}
+        command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-m", LEVELS[level], *tests]
+        try:
+            ended = subprocess.run(
+                command, cwd=copy, env=environment, capture_output=True, text=True, timeout=LIMIT, check=False
+            )
+        except subprocess.TimeoutExpired:
+            return f"{tests[0]} (no end)"
+    if ended.returncode in (0, 5):  # all passed, or none was there
+        return ""
+    name = re.search(r"^(?:FAILED|ERROR) (.*?)(?: - .*)?$", ended.stdout, re.MULTILINE)
+    return name[1] if name else f"{tests[0]} (pytest ended with {ended.returncode})"
+
+
+def found(entry: Entry, executed: dict[str, dict[int, list[str]]]) -> Entry:
+    """The entry with the test that notices it, sought among all that execute its line, level by level."""
+    tests = list(executing(entry, executed))
+    for level in LEVELS:
+        if tests and (test := noticed(entry, tests, level)):
+            return replace(entry, level=level, test=test)
+    return replace(entry, level="none")
+
+
+def run(workers: int) -> int:
+    """Make every fault of the table again; 1 if one of them is not noticed."""
+    entries = [entry for entry in read() if entry.test]
+
+    def again(entry: Entry) -> str:
+        try:
+            return noticed(entry, [entry.test.partition(" (")[0]], entry.level)
+        except LookupError as error:
+            return f"draw another: {error}"
+
+    with ThreadPoolExecutor(workers) as executor:
+        results = list(executor.map(again, entries))
+    missed = [entry for entry, test in zip(entries, results, strict=True) if not test]
+    for entry in missed:
+        print(f"{entry.test} does not notice {entry.before} → {entry.after} in {entry.path}, {entry.function}")
+    print(*(test for test in results if test.startswith("draw another")), sep="\n")
+    print(f"{len(entries) - len(missed)} of {len(entries)} faults are noticed.")
+    return 1 if missed else 0
+
+
+def executed_lines(path: Path) -> dict[str, dict[int, list[str]]]:
+    """By file and line, the tests that execute it."""
+    whole = json.loads(path.read_text(encoding="utf-8"))["files"]
+    return {name: {int(line): tests for line, tests in each["contexts"].items()} for name, each in whole.items()}
+
+
+def main() -> int:
+    """Carry out a command."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=["run", "draw", "find"])
+    parser.add_argument("coverage", type=Path, nargs="?")
+    parser.add_argument("--seed", type=int, default=41)
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    asked = parser.parse_args()
+    if asked.command == "run":
+        return run(asked.workers)
+    executed = executed_lines(asked.coverage)
+    if asked.command == "draw":
+        write(draw(executed, asked.seed))
+        return 0
+    entries = read()
+    with ThreadPoolExecutor(asked.workers) as executor:
+        write(list(executor.map(lambda entry: entry if entry.test else found(entry, executed), entries)))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
