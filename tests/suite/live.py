@@ -4,8 +4,8 @@
 
 A result is looked up by the job and by a hash of the sources that made it, as in the lab's own cache. If the sources
 have changed since, there is no such result, and a test that asks for it fails: it never reads a stale number. With
-`COLLISIONS_LIVE=here` in the environment nothing is read, and each test makes the runs that it asks for: so the study of
-faults in the lab's own code, tests/faults, never meets a number from before the fault.
+`COLLISIONS_LIVE=here` in the environment nothing is read, and each test makes the runs that it asks for. So the study
+of faults in the lab's own code, tests/faults, never meets a number from before the fault.
 """
 
 from __future__ import annotations
