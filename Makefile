@@ -9,12 +9,13 @@ OPTIONAL ?= crowd dart
 # More for pytest, as in `make test ARGS="-k friction"`.
 ARGS   ?=
 BIN    := $(VENV)/bin
-# The tests of one file share a worker, and with it what they have computed and the processes they have started.
-PYTEST := $(BIN)/python -m pytest -n auto --dist loadfile
+# A worker takes tests in their order, so those of one file share what they have computed; an idle one takes over some.
+# One that crashes ends the run, and its test is named.
+PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --max-worker-restart=0
 READY  := $(VENV)/.installed
 INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check
 
-.PHONY: help install report test docs live verify weekly lint clean
+.PHONY: help install report test docs live verify weekly baseline lint clean
 help:            ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
 
@@ -31,7 +32,7 @@ report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes
-	$(PYTEST) --cpu-allowed=390 --run-limit=1800 $(ARGS)
+	$(PYTEST) --cpu-allowed=150 $(ARGS)
 
 lint: $(READY)   ## style and types
 	$(BIN)/ruff check .
@@ -48,11 +49,15 @@ live: $(READY)   ## run every scenario in every engine once, for the slow checks
 	$(BIN)/python tests/suite/live.py
 
 verify: lint live ## the slow checks: style, types, the whole catalogue, the whole bank of mistakes, the notebooks
-	$(PYTEST) -m 'slow and not weekly' --timeout=1200 --run-limit=4500 $(ARGS)
+	$(PYTEST) -m 'slow and not weekly' --timeout=1200 --cpu-allowed=400 $(ARGS)
 
-weekly: live     ## the rest: every grid point, other seeds, other people's graders and platforms
-	$(PYTEST) -m weekly --timeout=2400 $(ARGS)
-	$(PYTEST) -m 'hypothesis and not weekly' --hypothesis-profile=more $(ARGS)
+weekly: live     ## the rest: every grid point, other seeds, other people's graders and platforms, faults in our code
+	$(PYTEST) -m weekly --timeout=2400 --cpu-allowed=400 $(ARGS)
+	$(PYTEST) -m 'hypothesis and not weekly' --hypothesis-profile=more --hypothesis-seed=41 $(ARGS)
+	$(BIN)/python tests/faults/study.py run
+
+baseline: $(READY) ## what people receive, compared with the checksums that are kept
+	$(BIN)/python tests/baseline/make.py --out .baseline
 
 clean:           ## remove the environment and what was built
-	rm -rf $(VENV) $(OUT) .live .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(OUT) .live .baseline .pytest_cache .mypy_cache .ruff_cache .hypothesis

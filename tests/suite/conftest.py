@@ -20,7 +20,7 @@ def run_pytest(tmp_path) -> Callable[..., subprocess.CompletedProcess[str]]:
     def run(files: dict[str, str], *options: str) -> subprocess.CompletedProcess[str]:
         for name, text in files.items():
             (tmp_path / name).write_text(text, encoding="utf-8")
-        (tmp_path / "conftest.py").write_text('pytest_plugins = ["processor_time", "watchdog"]\n', encoding="utf-8")
+        (tmp_path / "conftest.py").write_text('pytest_plugins = ["processor_time", "skips"]\n', encoding="utf-8")
         (tmp_path / "pytest.ini").write_text(f'[pytest]\npythonpath = "{HERE.as_posix()}"\n', encoding="utf-8")
         environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
         environment["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # hypothesis alone takes most of a second
