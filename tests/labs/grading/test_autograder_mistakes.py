@@ -1,7 +1,8 @@
 """Every known mistake loses points in the tests of its function, and what is right in other words loses none.
 
-The tests run here, without a worker: what they ask is what matters. A few functions and mistakes are tried in every run
-and all of them by `make verify`; `-m "" -k "impulse_magnitude and sign"` finds those of one function.
+The tests run here, without a worker: what they ask is what matters. Every run tries all mistakes of a few functions,
+`make verify` those of the others, and `make weekly` draws other examples. `-m "" -k impulse_magnitude` tries those of
+one function. A failure lists the mistakes by name.
 """
 
 from __future__ import annotations
@@ -14,39 +15,30 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from known_mistakes import by_function
 from tests_in_process import FOLDER, TOPICS, Asked, collected, loaded, loses_a_part, run_test
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
-from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.probes.one_case import one_case
-from labs.grading.diagnosis.recognition import diagnose
-from labs.grading.diagnosis.words import told
-from labs.grading.feedback.report import report
 from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.comparison import expect
 from labs.grading.judging.plugin import Functions
-from labs.grading.judging.score_sheet import Outcome, Sheet
+from labs.grading.judging.score_sheet import Sheet
 from labs.grading.submission.reading import Submission
 from reference import lecture
 
 WRITTEN = [entry for topic in TOPICS for entry in lecture.functions_of(topic) if entry.role == "written"]
-BANK = read_bank()
+MISTAKES = by_function()
 
 
 def some(entries, start, step):
-    """All entries as parameters; those that are not in the sample are slow."""
+    """All functions as parameters; those that are not in the sample are slow."""
     sample = range(start, len(entries), step)
-    slow = pytest.mark.slow
     return [
-        pytest.param(entry, id=name_of(entry), marks=() if place in sample else slow)
+        pytest.param(entry, id=entry.name, marks=() if place in sample else pytest.mark.slow)
         for place, entry in enumerate(entries)
     ]
-
-
-def name_of(entry):
-    """`function` or `function/mistake`."""
-    return getattr(entry, "id", entry.name)
 
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
@@ -93,31 +85,46 @@ def lost(function, submission, seed=1, runs=True):
     return total, said
 
 
-def loses(function, submission, seed=1, runs=True):
-    """Whether a submission loses points in the tests of a function; asks nothing more once it has."""
-    return any(loses_a_part(test, points, submission, seed) for test, points in asking(function, runs))
+def loses(function, formula, seed):
+    """Whether a wrong formula loses points in the tests of its function; asks nothing more once it has.
+
+    A scenario has no examples, so it is run only where these find nothing. That is another lab, since a lab may lose a
+    part for several contacts in one call.
+    """
+    return any(
+        loses_a_part(test, points, wrong, seed)
+        for runs in (False, True)
+        for wrong in [Here(**{function: formula})]
+        for test, points in asking(function, runs)
+    )
 
 
-@pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
+@pytest.mark.parametrize("entry", WRITTEN, ids=lambda entry: entry.name)
 def test_a_solution_passes_the_visible_and_hidden_tests_it_has(entry):
     assert {folder for folder, *_ in TESTS[entry.name]} == {"visible", "hidden"}
     assert lost(entry.name, Here()) == (0, [])
 
 
-@pytest.mark.parametrize("entry", some(BANK, 0, 12))
-def test_a_mistake_is_recognised_and_explained_in_the_feedback(entry):
-    found = diagnose(entry.function, lambda _, *given: entry.formula(*given))
-    assert (found.verdict, found.mistakes[0].id) == ("named", entry.id), told(found)
-    sheet = Sheet(outcomes=[Outcome("test_x", 1, False, said="wrong", function=entry.function)])
-    sheet.diagnoses[entry.function] = found
-    feedback = " ".join("\n".join(report(sheet, [lecture.function(entry.function).topic])).split())
-    assert entry.rationale in feedback
-    assert entry.help in feedback
+def test_there_are_known_mistakes_of_every_function_that_students_write():
+    assert MISTAKES.keys() == {entry.name for entry in WRITTEN}
 
 
-@pytest.mark.parametrize("entry", some(BANK, 5, 32))
-def test_a_mistake_loses_points(entry):
-    assert loses(entry.function, Here(**{entry.function: entry.formula}))
+def without_a_loss(function, seed):
+    """The known mistakes of a function that lose no point with the examples of that seed."""
+    return [each.id for each in MISTAKES[function] if not loses(function, each.formula, seed)]
+
+
+@pytest.mark.parametrize("entry", some(WRITTEN, 5, 12))
+def test_the_mistakes_of_a_function_lose_points(entry):
+    assert without_a_loss(entry.name, seed=1) == []
+
+
+@pytest.mark.weekly
+@pytest.mark.parametrize("entry", WRITTEN, ids=lambda entry: entry.name)
+def test_mistakes_alone_lose_points_with_any_examples(entry):
+    for seed in range(2, 5):
+        assert without_a_loss(entry.name, seed) == [], seed
+        assert lost(entry.name, Here(), seed, runs=False) == (0, []), seed
 
 
 def speed(point):
@@ -142,43 +149,28 @@ def test_what_is_right_for_usual_numbers_alone_loses_points(name, wrong, where):
     assert sum(run_test(test, points, Here(**{name: wrong}))[0] for test, points in tests) > 0
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("entry", BANK, ids=name_of)
-def test_a_mistake_loses_points_with_any_examples(entry):
-    for seed in range(2, 5):  # a scenario has no examples, so it is run only where these find nothing
-        wrong = Here(**{entry.function: entry.formula})  # another lab, which may lose a part for several in one call
-        assert loses(entry.function, wrong, seed, runs=False) or loses(entry.function, wrong, seed), seed
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
-def test_the_solution_loses_no_point_with_any_examples(entry):
-    for seed in range(2, 5):
-        assert lost(entry.name, Here(), seed, runs=False) == (0, []), seed
-
-
 EQUIVALENTS = loaded("equivalents", Path(__file__).parent / "diagnosis" / "test_equivalents.py")
 """The tests of the diagnosis, which know how to say the solutions in other words."""
 ALTERNATIVES = {path.stem: EQUIVALENTS.handed_in(path) for path in EQUIVALENTS.alternatives()}
 """What other people wrote by hand: the functions of each file."""
-BY_HAND = [(file, entry) for entry in WRITTEN for file, space in ALTERNATIVES.items() if entry.name in space]
+BY_HAND = [entry for entry in WRITTEN if any(entry.name in space for space in ALTERNATIVES.values())]
 
 
-@pytest.mark.parametrize(
-    ("file", "entry"),
-    [
-        pytest.param(file, entry, id=f"{entry.name}/{file}", marks=() if place % 4 == 0 else pytest.mark.slow)
-        for place, (file, entry) in enumerate(BY_HAND)
-    ],
-)
-def test_another_answer_by_hand_loses_no_point(file, entry):
+@pytest.mark.parametrize("entry", some(BY_HAND, 0, 6))
+def test_answers_by_hand_lose_no_point(entry):
+    told = {file: lost_by_hand(file, entry) for file, space in ALTERNATIVES.items() if entry.name in space}
+    assert not any(told.values()), told
+
+
+def lost_by_hand(file, entry):
+    """What is said to a file in the tests of a function."""
     space = ALTERNATIVES[file]
     written = {other.name: space[other.name] for other in WRITTEN if other.name in space}
     one_alone = file == "single"
     told = lost(entry.name, Here(**written), runs=not one_alone)[1]
     if one_alone:  # what asks for several contacts is all that is lost, as the runs do
         told = [line for line in told if "one call" not in line.split(":")[0] and "at once" not in line.split(":")[0]]
-    assert told == []
+    return told
 
 
 def as_lists(value):
@@ -189,12 +181,12 @@ def as_single_precision(value):
     return tuple(map(as_single_precision, value)) if isinstance(value, tuple) else np.asarray(value, dtype=np.float32)
 
 
-@pytest.mark.parametrize("form", [as_lists, as_single_precision])
 @pytest.mark.parametrize("entry", some(WRITTEN, 2, 12))
-def test_lists_and_single_precision_lose_no_point(entry, form):
+def test_lists_and_single_precision_lose_no_point(entry):
     right = getattr(Here(), entry.name)
-    answering = {entry.name: lambda *arguments, **named: form(right(*arguments, **named))}
-    assert lost(entry.name, Here(**answering))[1] == []
+    for form in (as_lists, as_single_precision):
+        answering = {entry.name: lambda *arguments, form=form, **named: form(right(*arguments, **named))}
+        assert lost(entry.name, Here(**answering))[1] == [], form.__name__
 
 
 def told_in_other_words(entry, kinds, runs=True):
@@ -210,8 +202,8 @@ def test_a_solution_in_other_words_loses_no_point(entry):
     assert told_in_other_words(entry, together) == []
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
+@pytest.mark.weekly  # each alone, as one could undo the harm of another
+@pytest.mark.parametrize("entry", WRITTEN, ids=lambda entry: entry.name)
 def test_a_solution_in_each_other_wording_loses_no_point(entry):
     for kind in EQUIVALENTS.KINDS:
         if kind != "single precision":  # of which there is a test of its own

@@ -1,4 +1,7 @@
-"""What one case is, and mistakes in functions that take one case alone: they are named as those for many are."""
+"""What one case is, and mistakes in functions that take one case alone.
+
+That known mistakes are named there too is in `test_known_mistakes.py`.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,10 @@ import importlib
 
 import numpy as np
 import pytest
+from known_mistakes import refuses_many
 
 from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, fitted
 from labs.grading.diagnosis.fingerprints.reading import known
-from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.output_names import OUTPUT_NAMES
 from labs.grading.diagnosis.probes import probed, probes
 from labs.grading.diagnosis.probes.one_case import one_case
@@ -17,28 +20,11 @@ from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
-BANK = read_bank()
-IN_MANY_ALONE = {
-    "signed_distance/one length for all", "clamp_to_circle/one for all",
-    "complementarity_residual/one for all", "edge_edge_normal/one length for all", "kinematic_response/one for all",
-}  # fmt: skip
-"""Mistakes that a function of one case cannot make."""
 
 
 def solution(name):
     topic = next(entry.topic for entry in probed() if entry.name == name)
     return getattr(importlib.import_module(f"solutions.{topic}"), name)
-
-
-def refuses_many(name, formula):
-    """A formula as code for one case: several end in an error, as an `if` on an array does."""
-
-    def called(_, *arguments):
-        if one_case(name).leading(arguments):
-            raise ValueError("The truth value of an array with more than one element is ambiguous.")
-        return formula(*arguments)
-
-    return called
 
 
 def test_several_contacts_in_one_call_are_told_from_a_single_one():
@@ -57,18 +43,6 @@ def test_solutions_asked_one_at_a_time_give_the_right_answers_for_many():
                 value = case.one_by_one(solution(entry.name), probe.arguments)
                 answer = Answer(fitted(value, right, case.leading(probe.arguments)))
                 assert deviation_of(answer, right).right, (entry.name, probe.note)
-
-
-@pytest.mark.parametrize(
-    "place", [pytest.param(at, marks=() if at % 40 == 7 else pytest.mark.slow) for at in range(len(BANK))]
-)
-def test_a_mistake_in_code_for_one_case_is_named(place):
-    entry = BANK[place]
-    found = diagnose(entry.function, refuses_many(entry.function, entry.formula))
-    if entry.id in IN_MANY_ALONE:
-        assert found.verdict == "one at a time"
-    else:
-        assert (found.verdict, found.mistakes[0].id) == ("named", entry.id), told(found)
 
 
 def one_radius(v, w, r, dt):
