@@ -45,7 +45,8 @@ class _Skips:
                 self._others.setdefault(reason, report.nodeid)
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
-        if self._others and session.exitstatus == pytest.ExitCode.OK:
+        fine = pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED
+        if self._others and session.exitstatus in fine:
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
