@@ -1,147 +1,96 @@
-"""What every engine promises, whatever it is and whatever it runs: trajectories and settings."""
+"""What every engine promises, whatever it is and whatever it runs.
+
+One test is one run of an engine, and every promise that concerns it: they are the functions in
+`tests/reference/promises/`. Below are the promises that no single run can keep.
+"""
 
 from __future__ import annotations
 
-import pickle
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from catalogue_rows import counted
 from engine_grid import (
+    CATALOGUE,
     CELLS,
-    DAMPING,
-    ROUNDING,
+    ENGINES,
+    EXTRA,
+    SAYS_NO,
     SCENARIOS,
-    arrays,
-    cells_of,
+    Cell,
     each_engine,
     every_cell,
-    fast_and_slow,
-    flies_exactly,
-    is_damped,
     is_often,
-    same,
+    profiles,
     setup,
 )
+from promises import PROMISES, Promise, Run, broken, run_of
 
+from reference.catalogue.scenarios import catalogue
 from reference.engines import load_engine
-from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED
 from reference.engines.handwritten.scenario_kind import kind
 from reference.engines.profiles import WORLD, counts, is_plain
-from reference.errors import InvalidInput, UnknownName
-from reference.scene.scenario import GRAVITY
+from reference.errors import UnknownName
 from reference.scene.settings import Settings
 from reference.scene.survey import Survey
 
-# What a trajectory is
-
-
-IN_SINES = {("oscillator", "exact"), ("driven-oscillator", "exact")}
-
 
 @every_cell
-def test_a_trajectory_starts_at_time_zero_in_the_scenarios_state(cell, trajectory):
-    bodies = SCENARIOS[cell.scenario].bodies
-    assert trajectory.times[0] == 0
-    # The sines of a closed form give the start to a rounding or two of 1 m; all others begin with the very numbers.
-    near = 4e-16 if (cell.scenario, cell.profile) in IN_SINES else 0.0
-    np.testing.assert_allclose(trajectory.positions[0], [body.position for body in bodies], rtol=0, atol=near)
-    np.testing.assert_allclose(trajectory.velocities[0], [body.velocity for body in bodies], rtol=0, atol=near)
-    np.testing.assert_allclose(trajectory.orientations[0], [body.orientation for body in bodies], atol=ROUNDING)
-    np.testing.assert_allclose(
-        trajectory.angular_velocities[0], [body.angular_velocity for body in bodies], atol=ROUNDING
-    )
-
-
-@every_cell
-def test_samples_are_evenly_spaced_until_the_scenario_ends(cell, trajectory):
-    _, scenario, settings = setup(cell)
-    interval = settings.timestep * settings.sample_every
-    np.testing.assert_allclose(trajectory.times, interval * np.arange(len(trajectory.times)), rtol=1e-12)
-    tiny = 1e-9 * interval  # 0.6 s are 144 steps of 1/240 s only up to rounding
-    assert scenario.duration - tiny <= trajectory.times[-1] < scenario.duration + interval - tiny
-
-
-@every_cell
-def test_a_trajectory_is_finite_and_its_quaternions_have_unit_length(cell, trajectory):
-    assert all(np.isfinite(values).all() for values in arrays(trajectory))
-    # Engines normalise at every step; the lab's own code never changes an orientation.
-    np.testing.assert_allclose(np.linalg.norm(trajectory.orientations, axis=-1), 1, atol=1e-12)
-
-
-@every_cell
-def test_a_trajectory_names_its_engine_scenario_and_settings(cell, trajectory):
-    engine, scenario, settings = setup(cell)
-    assert (trajectory.engine, trajectory.scenario, trajectory.settings) == (engine.name, scenario, settings)
-
-
-@every_cell
-def test_a_repeated_run_gives_the_same_numbers_and_changes_no_input(cell, trajectory):
-    engine, scenario, settings = setup(cell)
-    before = pickle.dumps((scenario, settings))
-    again = engine.run(scenario, settings)
-    assert pickle.dumps((scenario, settings)) == before
-    assert same(again, trajectory)
-
-
-@fast_and_slow([cell for cell in CELLS if any(body.immovable for body in SCENARIOS[cell.scenario].bodies)], is_often)
-def test_an_immovable_body_does_not_move(cell, trajectory):
-    fixed = [place for place, body in enumerate(SCENARIOS[cell.scenario].bodies) if body.immovable]
-    for values in (trajectory.positions, trajectory.orientations):
-        assert np.array_equal(values[:, fixed], np.broadcast_to(values[:1, fixed], values[:, fixed].shape))
-    assert not trajectory.velocities[:, fixed].any()
-    assert not trajectory.angular_velocities[:, fixed].any()
-
-
-@fast_and_slow(
-    [
-        cell
-        for cell in CELLS
-        # By hand penalty springs are for scenarios of up to 0.4 s, and the dropped ball of this test takes longer.
-        if cell.scenario == "thrown-ball" and (cell.engine, cell.profile) != ("handwritten", "spring")
-    ],
-    is_often,
-)
-def test_scenarios_run_together_give_what_each_gives_alone(cell, installed):
-    engine = installed(cell.engine)
-    first = SCENARIOS["dropped-ball"]
-    ball = replace(first.body("ball"), position=(0.0, 0.0, 0.4))
-    lower = replace(first, bodies=tuple(ball if body.name == "ball" else body for body in first.bodies), duration=0.35)
-    settings = engine.settings(first, cell.profile)
-    together = engine.run_many([first, lower, first], settings)
-    assert all(
-        same(one, engine.run(scenario, settings)) for one, scenario in zip(together, (first, lower, first), strict=True)
-    )
-
-
-# Settings
-
-
-@every_cell
-def test_an_engine_runs_with_the_timestep_it_is_given(cell, installed):
+def test_a_run_keeps_every_promise_of_an_engine(cell, installed):
     installed(cell.engine)
-    engine, scenario, settings = setup(cell)
-    changed = settings.change(timestep=2 * settings.timestep)
-    trajectory = engine.run(replace(scenario, duration=0.05), changed)
-    assert trajectory.settings == changed
-    interval = changed.timestep * changed.sample_every
-    np.testing.assert_allclose(np.diff(trajectory.times), interval, rtol=1e-9)
+    if errors := broken(run_of(cell), PROMISES):
+        raise ExceptionGroup(f"{cell} breaks {len(errors)} of the promises of an engine", errors)
 
 
-@cells_of("thrown-ball")
-def test_a_longer_timestep_shows_in_the_flight_itself(cell, installed):
-    installed(cell.engine)
-    engine, scenario, settings = setup(cell)
-    stretch = 2 * settings.timestep
-    coarse = engine.run(scenario, settings.change(timestep=stretch, sample_every=1))
-    fine = engine.run(scenario, settings.change(sample_every=2))
-    lower = (fine.position("thrown") - coarse.position("thrown"))[:, 2]
-    expected = 0 * fine.times if flies_exactly(cell) else GRAVITY * fine.times * settings.timestep / 2  # g t dt/2 each
-    # Drag is taken in steps too: it adds a first-order term of its own, a share 0.04 (1 + 2 v) t of this one.
-    np.testing.assert_allclose(
-        lower, expected, rtol=DAMPING * 13 * scenario.duration if is_damped(cell) else 1e-6, atol=1e-10
-    )
+# The suite itself
+
+
+def test_the_grid_holds_every_family_and_every_scenario_of_this_suite():
+    assert set(SCENARIOS) == {*catalogue(), *(scenario.name for scenario in EXTRA)}
+    assert len(SCENARIOS) == len(CATALOGUE) + len(EXTRA), "two scenarios of one name: the second hides the first"
+    for engine in ENGINES:
+        runs = {cell.scenario for cell in CELLS if cell.engine == engine}
+        assert runs | set(SAYS_NO.get(engine, {})) == set(SCENARIOS)
+        assert not runs & set(SAYS_NO.get(engine, {}))
+
+
+def test_the_fast_run_has_each_promise_of_each_engine():
+    for engine in ENGINES:
+        cells = [cell for cell in CELLS if cell.engine == engine]
+        for promise in PROMISES:
+            concerned = [cell for cell in cells if promise.concerns(cell)]
+            assert any(map(is_often, concerned)) or not concerned, (engine, promise.check.__name__)
+
+
+def test_all_broken_promises_of_a_run_are_told_and_not_just_the_first():
+    def is_late(run: Run) -> None:
+        raise AssertionError("0.1 s")
+
+    def is_missing(run: Run) -> None:
+        raise ValueError("no run")
+
+    cell = next(cell for cell in CELLS if cell.scenario == "dropped-ball")
+    found = broken(run_of(cell), [Promise(is_late), Promise(is_missing), Promise(is_late, lambda cell: False)])
+    assert [str(error) for error in found] == ["0.1 s", "no run"]
+    assert [error.__notes__ for error in found] == [
+        [f"{cell} breaks its promise: is late"],
+        [f"{cell} breaks its promise: is missing"],
+    ]
+
+
+# Profiles and settings
+
+
+@each_engine
+def test_an_engine_refuses_what_it_cannot_express_with_a_reason(name, installed):
+    installed(name)
+    for scenario, (error, reason) in SAYS_NO.get(name, {}).items():
+        for profile in profiles(name, scenario):
+            engine, made, settings = setup(Cell(name, scenario, profile))
+            with pytest.raises(error, match=reason):
+                engine.run(made, settings)
+            with pytest.raises(error, match=reason):
+                engine.run_many([made, made], settings)
 
 
 @each_engine
@@ -160,16 +109,6 @@ def test_one_profile_counts_and_is_first_and_the_plain_one_is_last(name):
         assert all(line.strip() for line in found.values()), scenario.name
 
 
-@every_cell
-def test_every_profile_names_one_of_four_ways_to_resolve_an_impact(cell):
-    engine, scenario, settings = setup(cell)
-    method = engine.method(scenario, settings)
-    assert method.kind in (EXACT, INTERPOLATED, AT_STEP, COMPLIANT)
-    assert 0 <= method.recovery <= 1
-    assert method.stiffness > 0
-    assert method.rest_speed >= 0
-
-
 @each_engine
 def test_an_unknown_profile_is_refused_with_the_known_ones(name):
     engine = load_engine(name)
@@ -178,24 +117,6 @@ def test_an_unknown_profile_is_refused_with_the_known_ones(name):
             engine.settings(scenario, "tunde")
         assert refused.value.choices == tuple(engine.profiles(scenario)), scenario.name
         assert "tunde" in str(refused.value)
-
-
-@cells_of("thrown-ball")  # settings are the same kind of thing whatever the scenario
-def test_an_unknown_setting_is_refused_with_the_known_ones(cell):
-    _, _, settings = setup(cell)
-    with pytest.raises(UnknownName) as refused:
-        settings.change(timestpe=0.1)
-    assert refused.value.choices == ("timestep", "sample_every", *settings.options)
-
-
-@every_cell
-def test_a_timestep_longer_than_the_scenario_is_refused(cell, installed):
-    installed(cell.engine)
-    engine, scenario, settings = setup(cell)
-    with pytest.raises(InvalidInput, match="longer than"):
-        engine.run(scenario, settings.change(timestep=1.01 * scenario.duration))
-    with pytest.raises(InvalidInput, match="1e\\+08 is the most"):  # it would end in some hours
-        engine.run(scenario, settings.change(timestep=1e-9 * scenario.duration))
 
 
 @each_engine
