@@ -38,12 +38,13 @@ TIMESTEP = {"pybullet": 1e-3, "mujoco": 1e-4}
 engines = pytest.mark.parametrize("name", ["pybullet", "mujoco"])
 all_three = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])
 slow = pytest.mark.slow
+weekly = pytest.mark.weekly
 
 
-def fast_and_slow(argument: str, fast: tuple[str, ...], everything: tuple[str, ...]):
-    """The cases of the fast run as they are; all the others marked slow."""
-    rest = [pytest.param(case, marks=slow) for case in everything if case not in fast]
-    return pytest.mark.parametrize(argument, [*fast, *rest])
+def fast_and_slow(argument: str, fast: tuple[str, ...], everything: tuple[str, ...], rest=slow):
+    """The cases of the fast run as they are; all the others marked slow, or as `rest` says."""
+    others = [pytest.param(case, marks=rest) for case in everything if case not in fast]
+    return pytest.mark.parametrize(argument, [*fast, *others])
 
 
 def counted(engine: str) -> str:

@@ -30,7 +30,7 @@ def rows(name, profile, case=CASE, **changes):
     return {row.quantity: row for row in job("ball-in-a-bowl", name, profile, case, **changes).rows}
 
 
-@every_tuned
+@pytest.mark.parametrize(("name", "profile"), [pytest.param(*TUNED[0], marks=pytest.mark.slow), *TUNED[1:]])
 def test_a_ball_comes_to_rest_on_the_floor_and_leaves_a_wall_as_theory_says(name, profile, installed):
     installed(name)
     assert rows(name, profile)["rest"].measured == pytest.approx(FLOOR + RADIUS, abs=NEAR)

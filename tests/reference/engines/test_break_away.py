@@ -18,6 +18,7 @@ from reference.scene.forces import Force, GrowingForce, OscillatingForce, Spring
 from reference.scene.scenario import GRAVITY, Pair, Scenario
 
 FAMILY = catalogue()["break-away"]
+ASLANT = "μ=0.4,rate=20,heading=30°"
 
 
 def pushed(static: float, kinetic: float, rate: tuple[float, float, float], duration: float = 0.45) -> Scenario:
@@ -61,15 +62,20 @@ def test_exact_slabs_of_a_batch_break_away_each_at_its_own_instant():
     ("name", "profile"), [*((name, "tuned") for name in ("pybullet", "mujoco", "dart")), ("handwritten", "step")]
 )
 def test_every_sample_of_a_break_away_is_as_predicted(name, profile, installed):
-    engine, scenario = installed(name), FAMILY.case("μ=0.4,rate=20,heading=30°").scenarios[0]
+    engine, scenario = installed(name), FAMILY.case(ASLANT).scenarios[0]
     settings = engine.settings(scenario, profile)
     found = sliding.predict(scenario, settings, engine.method(scenario, settings))
     off = found.trajectory.position("slab") - engine.run(scenario, settings).position("slab")
     assert np.max(np.linalg.norm(off, axis=1)) < found.near
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("case", [case.name for case in FAMILY.cases])
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case.name, marks=pytest.mark.slow if case.name == ASLANT else pytest.mark.weekly)
+        for case in FAMILY.cases
+    ],
+)
 def test_the_world_breaks_away_at_most_one_step_early(case):
     engine, scenario = load_engine("handwritten"), FAMILY.case(case).scenarios[0]
     settings = engine.settings(scenario, "world")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -341,9 +342,18 @@ def test_pybullet_finds_a_boid_beside_an_edge_farther_away(installed):
     assert farther == pytest.approx(0.26e-3, abs=0.01e-3)
 
 
-@pytest.mark.slow
-@each_engine
-@pytest.mark.parametrize("family", ["antipodal-circle", "crossing-streams", "lone-flier", "flock-past-pillar"])
+CROWDS = ("antipodal-circle", "crossing-streams", "lone-flier", "flock-past-pillar")
+ONCE = tuple(zip(CROWDS, ("handwritten", "pybullet", "mujoco", "dart"), strict=True))
+"""Each family and each engine once."""
+
+
+@pytest.mark.parametrize(
+    ("family", "name"),
+    [
+        pytest.param(*pair, marks=pytest.mark.slow if pair in ONCE else pytest.mark.weekly)
+        for pair in itertools.product(CROWDS, ("handwritten", "pybullet", "mujoco", "dart"))
+    ],
+)
 def test_whole_runs_differ_from_the_recurrence_by_rounding_alone(family, name, installed):
     engine = installed(name)
     for case in catalogue()[family].cases:

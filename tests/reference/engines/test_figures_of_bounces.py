@@ -25,6 +25,7 @@ from catalogue_rows import (
     row,
     slow,
     tenth_of_drops,
+    weekly,
 )
 
 from reference.catalogue import measure
@@ -119,7 +120,7 @@ def test_the_step_method_rebounds_low_by_one_minus_e_times_half_a_step(case):
 # The first rebound in the two engines
 
 
-@fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
+@fast_and_slow("case", ("e=0.2",), BOUNCES[1:], rest=weekly)
 def test_pybullet_rebounds_within_a_percent_of_e_squared(case, installed):
     installed("pybullet")
     found = rebound_of_many("pybullet", "tuned", case)
@@ -137,18 +138,24 @@ def test_pybullet_at_half_a_millisecond_is_within_three_percent(installed):
     assert found.error == pytest.approx(0, abs=near(5e-4))
 
 
-@pytest.mark.parametrize("find", [rebound_of_a_tenth, pytest.param(rebound_of_many, marks=slow)])
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
-def test_mujoco_rebounds_within_a_percent_of_e_squared(case, find, installed):
+def test_mujoco_rebounds_within_a_percent_of_e_squared(case, installed):
     installed("mujoco")
-    found = find("mujoco", "tuned", case)
+    found = rebound_of_a_tenth("mujoco", "tuned", case)  # v dt/11 is 0.04 mm of a mean, a thirtieth of the promise
     e = restitution(case)
     assert found.error == pytest.approx(0, abs=(0.03 if e == 0.2 else 0.01) * e**2)  # what is promised
     assert found.verdict is Verdict.PASS
 
 
-@pytest.mark.parametrize("timestep", [1e-3, pytest.param(5e-4, marks=slow)])
-@fast_and_slow("case", ("e=0.2",), ("e=0.2", "e=0.5", "e=0.8", "e=0.95"))
+@pytest.mark.parametrize(
+    ("case", "timestep"),
+    # The scatter is a product: e is varied at one timestep and the timestep at one e, of which `make verify` has a run.
+    [
+        ("e=0.2", 1e-3),
+        pytest.param("e=0.2", 5e-4, marks=slow),
+        *(pytest.param(case, 1e-3, marks=weekly) for case in ("e=0.5", "e=0.8", "e=0.95")),
+    ],
+)
 def test_single_pybullet_drops_scatter_by_e_times_one_minus_e_of_v_dt(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)
@@ -158,8 +165,16 @@ def test_single_pybullet_drops_scatter_by_e_times_one_minus_e_of_v_dt(case, time
     assert found.spread == pytest.approx(e * (1 - e) * SPEED * timestep / math.sqrt(12), rel=0.01)
 
 
-@pytest.mark.parametrize("timestep", [2e-3, pytest.param(1e-3, marks=slow), pytest.param(5e-4, marks=slow)])
-@fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
+@pytest.mark.parametrize(
+    ("case", "timestep"),
+    # The bias is a product as well, and what it may be off is a share of it at any timestep.
+    [
+        ("e=0.2", 2e-3),
+        pytest.param("e=0.2", 1e-3, marks=slow),
+        pytest.param("e=0.2", 5e-4, marks=slow),
+        *(pytest.param(case, 2e-3, marks=weekly) for case in BOUNCES[2:]),
+    ],
+)
 def test_pybullet_without_overlap_recovery_rebounds_low_by_half_a_step(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)
@@ -168,8 +183,16 @@ def test_pybullet_without_overlap_recovery_rebounds_low_by_half_a_step(case, tim
     assert found.verdict is (Verdict.KNOWN_DEVIATION if e == 0.2 else Verdict.PASS)
 
 
-@pytest.mark.parametrize("timestep", [1e-3, pytest.param(1e-4, marks=slow)])
-@fast_and_slow("case", ("e=0.8",), BOUNCES[1:])
+@pytest.mark.parametrize(
+    ("case", "timestep"),
+    # Of two terms the first goes with the timestep, so a step of 0.1 ms shows the second: `share` has two branches.
+    [
+        ("e=0.8", 1e-3),
+        pytest.param("e=0.8", 1e-4, marks=slow),
+        pytest.param("e=0.95", 1e-4, marks=weekly),
+        *(pytest.param(case, 1e-3, marks=weekly) for case in BOUNCES[1:] if case != "e=0.8"),
+    ],
+)
 def test_mujoco_rebounds_low_by_half_a_step_plus_what_its_spring_adds(case, timestep, installed):
     installed("mujoco")
     e = restitution(case)
@@ -181,7 +204,7 @@ def test_mujoco_rebounds_low_by_half_a_step_plus_what_its_spring_adds(case, time
     assert found.error == pytest.approx(bias, abs=near(timestep))
 
 
-@pytest.mark.parametrize("timestep", [4e-3, pytest.param(3e-4, marks=slow), pytest.param(2.5e-4, marks=slow)])
+@pytest.mark.parametrize("timestep", [4e-3, pytest.param(2.5e-4, marks=slow)])  # at 0.2 ms it is near
 def test_mujocos_bias_is_a_known_deviation_at_every_timestep(timestep, installed):
     installed("mujoco")
     found = rebound_of_many("mujoco", "tuned", "e=0.2", timestep=timestep)

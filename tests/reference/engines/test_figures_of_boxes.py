@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import live
 import pytest
 from catalogue_rows import CORNERS, SOME_CORNERS, SPEED, TIMESTEP, G, engines, fast_and_slow, job, restitution, slow
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
-from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 
 SOME_ON_SLOPES = ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°")  # holds, slides, tips
@@ -155,27 +154,16 @@ def test_a_stack_in_pybullet_stands_for_a_second(installed):
 # What runs in the world alone
 
 
-def _moment(family: str, scenario: Scenario, settings: Settings) -> float:
-    """Two samples and some milliseconds: what cannot be run is refused at once. Growth is measured late in a run."""
-    shortest = max(5e-3, 2 * settings.timestep * settings.sample_every)
-    return scenario.duration if family == "step-limit" else min(scenario.duration, shortest)
-
-
 @pytest.mark.slow
 def test_by_hand_these_cases_run_in_the_world_alone_and_no_case_waits():
     engine, alone = load_engine("handwritten"), []
     for family in catalogue().values():
         for case in family.cases:
-            scenario = case.scenarios[0]
-            for profile in engine.profiles(scenario):
-                settings = engine.settings(scenario, profile)
-                moment = replace(
-                    case, scenarios=(replace(scenario, duration=_moment(family.name, scenario, settings)),)
-                )
-                rows, _ = compare_case(family, moment, engine, profile, settings)
+            for profile in engine.profiles(case.scenarios[0]):
+                rows = [row for row in live.rows(family.name, "handwritten", profile) if row.case == case.name]
                 assert len(rows) == len(family.quantities)
                 assert not {Verdict.NEEDS, Verdict.CRASHED, Verdict.CANNOT_EXPRESS} & {entry.verdict for entry in rows}
-            if list(engine.profiles(scenario)) == ["world"]:
+            if list(engine.profiles(case.scenarios[0])) == ["world"]:
                 alone.append(family.name)
     assert {name: alone.count(name) for name in catalogue()} == {
         **dict.fromkeys(catalogue(), 0),

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from catalogue_rows import counted
+from catalogue_rows import counted, job
 
 from reference import truth
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.cradle import RADIUS
 from reference.catalogue.scenarios.rods import END
-from reference.comparison.results import Job, JobResult
-from reference.comparison.verdicts import Verdict
-from reference.running.study import run_job
+from reference.comparison.verdicts import Row, Verdict
 from reference.scene.scenario import Body, Pair, Scenario, Sphere
 
 FAMILIES = ("two-balls", "struck-rod", "rod-on-peg", "cradle", "parting-ball")
@@ -24,42 +21,44 @@ engines = pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
 every_engine = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco", "dart"])
 
 
-CASES = [(family, case.name) for family in FAMILIES for case in catalogue()[family].cases]
 PLOTTED = {family: catalogue()[family].curve.case for family in FAMILIES}
-each_case = pytest.mark.parametrize(
-    ("family", "case"),
-    [
-        pytest.param(family, case, id=f"{family}-{case}", marks=() if PLOTTED[family] == case else pytest.mark.slow)
-        for family, case in CASES
-    ],
-)
+"""The case of each family that `make test` looks at."""
+fast_or_all = pytest.mark.parametrize("whole", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["one", "all"])
+every_family = pytest.mark.parametrize("family", FAMILIES)
 
 
-@functools.cache
-def job(family: str, engine: str, case: str, profile: str = "") -> JobResult:
-    return run_job(Job(family, engine, profile or counted(engine), (case,)))
+def cases_of(family: str, whole: bool) -> list[str]:
+    return [case.name for case in catalogue()[family].cases if whole or case.name == PLOTTED[family]]
+
+
+def rows_of(family: str, engine: str, case: str, profile: str = "") -> tuple[Row, ...]:
+    return job(family, engine, profile or counted(engine), case).rows
 
 
 def measured(family: str, engine: str, case: str, quantity: str, profile: str = "") -> float:
-    return next(row.measured for row in job(family, engine, case, profile).rows if row.quantity == quantity)
+    return next(row.measured for row in rows_of(family, engine, case, profile) if row.quantity == quantity)
 
 
 # What came out
 
 
+@fast_or_all
+@every_family
 @every_engine
-@each_case
-def test_every_counted_quantity_with_a_theory_is_near_it_or_predicted(family, case, name, installed):
+def test_every_counted_quantity_with_a_theory_is_near_it_or_predicted(name, family, whole, installed):
     installed(name)
-    rows = job(family, name, case).rows
-    assert {row.verdict for row in rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}
-    assert all(row.predicted is not None for row in rows if row.verdict is Verdict.KNOWN_DEVIATION)
-    assert {row.verdict for row in rows} != {Verdict.SHOWN}
+    for case in cases_of(family, whole):
+        rows = rows_of(family, name, case)
+        assert {row.verdict for row in rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}, case
+        assert all(row.predicted is not None for row in rows if row.verdict is Verdict.KNOWN_DEVIATION), case
+        assert {row.verdict for row in rows} != {Verdict.SHOWN}, case
 
 
-@each_case
-def test_solving_for_the_instant_leaves_nothing_but_rounding(family, case):
-    rows = [row for row in job(family, "handwritten", case).rows if row.expected is not None]
+@fast_or_all
+@every_family
+def test_solving_for_the_instant_leaves_nothing_but_rounding(family, whole):
+    rows = [row for case in cases_of(family, whole) for row in rows_of(family, "handwritten", case)]
+    rows = [row for row in rows if row.expected is not None]
     # Speeds of some m/s and spins of some 10 rad/s after a few hundred steps that each round.
     assert max(abs(row.measured - row.expected) for row in rows) < 1e-11
 
