@@ -391,7 +391,7 @@ def test_at_the_goal_the_direction_is_zero():
 
 
 @pytest.mark.statement(1, oracle="the shortest way around a ball: two tangents and an arc")
-@pytest.mark.parametrize("stride", [1e-2, pytest.param(2e-3, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("stride", [1e-2, pytest.param(2e-3, marks=pytest.mark.weekly)])
 def test_steering_by_tangent_points_flies_the_shortest_way_around(stride):
     radius, goal = 1.0, np.array([4.0, 0.0, 0.0])
     position = np.array([-3.0, 0.0, 0.0])

@@ -269,7 +269,7 @@ def test_the_permitted_velocity_is_the_one_that_slsqp_finds():
 
 
 @pytest.mark.statement(1, oracle="scipy's linear programme, with the speed limit as a polygon around the disc")
-@pytest.mark.parametrize("scenes", [20, pytest.param(60, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("scenes", [20, pytest.param(60, marks=pytest.mark.weekly)])
 def test_where_nothing_is_permitted_the_worst_violation_is_least(scenes):
     linprog = oracle("scipy.optimize").linprog
     rng = np.random.default_rng(RNG_SEED)
@@ -434,7 +434,7 @@ def ring(count, radius):
     return radius * np.c_[np.cos(angle), np.sin(angle)]
 
 
-@pytest.mark.parametrize("count", [2, 8, pytest.param(16, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [2, 8, pytest.param(16, marks=pytest.mark.weekly)])
 def test_a_crowd_that_crosses_a_circle_arrives_without_a_collision(count):
     start = ring(count, 8.0)
     path = walk(start, -start, 30.0, turn=0.2)

@@ -175,7 +175,7 @@ def test_a_single_body_does_not_pull_itself():
 
 
 @pytest.mark.statement(25, oracle="scipy solve_ivp DOP853, and Kepler's third law")
-@pytest.mark.parametrize("steps", [1000, pytest.param(4000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("steps", [1000, pytest.param(4000, marks=pytest.mark.weekly)])
 def test_an_ellipse_closes_after_keplers_period_and_keeps_its_energy(steps):
     integrate = oracle("scipy.integrate")
     mass = 1 / GRAVITATIONAL_CONSTANT  # G M = 1

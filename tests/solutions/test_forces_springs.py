@@ -289,7 +289,7 @@ def test_the_friction_oscillator_seen_in_a_mirror_is_the_same(x, v, stiffness, f
     ("x", "v"),
     [
         *((5.0, 0.0), (2.0, 3.0), (2.0, -3.0), (-0.2, 1e-3)),
-        *(pytest.param(*start, marks=pytest.mark.slow) for start in ((-5.0, 0.0), (0.0, 4.0))),
+        *(pytest.param(*start, marks=pytest.mark.weekly) for start in ((-5.0, 0.0), (0.0, 4.0))),
     ],
 )
 def test_the_friction_oscillator_is_what_the_forces_integrate_to(x, v):

@@ -257,7 +257,7 @@ def test_exact_fractions_give_the_same_point_along_or_beside_a_side(seed, order,
         *((scale, 1e-15) for scale in (1e-6, 1e6)),
         *(pytest.param(1.0, lift, marks=pytest.mark.slow) for lift in (1e-15, 1e-9)),
         *(
-            pytest.param(scale, lift, marks=pytest.mark.slow)
+            pytest.param(scale, lift, marks=pytest.mark.weekly)
             for scale in (1e-6, 1e6)
             for lift in (0.0, 1e-17, 1e-13, 1e-9, 1.0)
         ),

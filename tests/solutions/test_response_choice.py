@@ -95,7 +95,7 @@ def test_the_figures_measured_here_are_those_of_the_page(figure):
         (1e5, 1e-3, 0.052, 0.0089, 9),
         (1e6, 1e-3, 0.30, 0.0031, 3),
         pytest.param(1e6, 2e-5, 0.0053, 0.0028, 146, marks=pytest.mark.slow),
-        pytest.param(1e4, 1e-4, 0.038, 0.028, 292, marks=pytest.mark.slow),
+        pytest.param(1e4, 1e-4, 0.038, 0.028, 292, marks=pytest.mark.weekly),
     ],
 )
 def test_gravity_shifts_a_soft_penalty_contact_and_the_step_a_stiff_one(stiffness, dt, error, depth, contact_steps):

@@ -348,7 +348,7 @@ def test_oriented_boxes_that_are_not_turned_are_boxes_along_the_axes(x, u, half_
 
 
 @pytest.mark.statement(10, oracle="scipy's linear programs: have the two boxes a point in common?")
-@pytest.mark.parametrize("count", [15, pytest.param(40, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [15, pytest.param(40, marks=pytest.mark.weekly)])
 def test_two_turned_boxes_share_a_point_exactly_within_the_interval(count):
     linprog = oracle("scipy.optimize").linprog
     random = oracle("scipy.spatial.transform").Rotation.random

@@ -99,7 +99,7 @@ def test_no_meeting_is_missed_and_none_is_late(kind):
 
 @KINDS
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion, and scipy's non-negative least squares")
-@pytest.mark.parametrize("count", [500, pytest.param(50_000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [500, pytest.param(50_000, marks=pytest.mark.weekly)])
 def test_every_hit_of_ipctk_is_found_unless_the_features_stay_apart(kind, count):
     ipctk = oracle("ipctk")
     query = queries(kind, count, 2)
@@ -140,7 +140,7 @@ def exact_meeting(kind, count, seed, flat):
     ]
 
 
-MORE = pytest.param(100_000, marks=pytest.mark.slow)
+MORE = pytest.param(100_000, marks=pytest.mark.weekly)
 
 
 @KINDS
@@ -153,7 +153,7 @@ def test_no_exact_meeting_is_missed_or_late(kind, flat, count):
 
 
 @KINDS
-@pytest.mark.parametrize("count", [300, pytest.param(1_000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [300, pytest.param(1_000, marks=pytest.mark.weekly)])
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion")
 def test_exact_steps_that_ipctk_hits_are_hit_no_later(kind, count):
     ipctk = oracle("ipctk")
@@ -178,7 +178,7 @@ def test_no_meeting_of_many_more_is_missed_and_none_is_late(kind):
 
 
 @KINDS
-@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.weekly)])
 @pytest.mark.statement(10, oracle="the exact sign of the cubic in fractions")
 def test_the_four_points_are_almost_coplanar_at_the_time_of_impact(kind, count):
     query, _ = meeting(kind, count, 3)

@@ -37,7 +37,9 @@ def test_sweeps_carry_an_impact_through_a_light_ball_of_a_hundredth():
     assert struck((1e2, 1.0, 1e2), 0.0, "sequential")[-1] == pytest.approx(1e3 / 201, rel=1e-9)
 
 
-@pytest.mark.parametrize(("restitution", "right", "found"), [(0.0, 5.0, 6.83), (0.5, 7.5, 7.70)])
+@pytest.mark.parametrize(
+    ("restitution", "right", "found"), [(0.0, 5.0, 6.83), pytest.param(0.5, 7.5, 7.70, marks=pytest.mark.slow)]
+)
 def test_remembered_impulses_spoil_an_impact_through_a_very_light_ball(restitution, right, found):
     """A known limit, docs/world.md: a step finds a third of the impulse, which the next steps then apply again."""
     last = struck((1e4, 1.0, 1e4), restitution, "sequential")[-1]

@@ -193,8 +193,10 @@ def test_a_slender_body_that_spins_keeps_its_energy_at_coarse_steps(moments):
     assert energy == pytest.approx(energy[0], rel=1e-3)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("dt", "until"), [(0.01, 100), (0.001, 10)])
+@pytest.mark.parametrize(
+    ("dt", "until"),
+    [pytest.param(0.01, 100, marks=pytest.mark.slow), pytest.param(0.001, 10, marks=pytest.mark.weekly)],
+)
 def test_the_energy_of_a_top_is_kept_over_a_long_time(dt, until):
     start = np.array([3.0, 5.0, 7.0])
     swing = np.max(np.abs(energy_errors(start, dt, round(until / dt))))  # a drift would add to it with the time

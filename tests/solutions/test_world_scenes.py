@@ -39,8 +39,11 @@ def test_three_unequal_boxes_stand_for_two_seconds():
     assert np.max(np.abs(end.velocity[-1])) < 1e-6
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("dt", "sweeps"), [(1 / 60, 50), (1 / 120, 50), (1 / 240, 10), (1 / 240, 50)])
+# The longest step leaves the most in one, and the shortest with the fewest sweeps creeps in the most steps.
+@pytest.mark.parametrize(
+    ("dt", "sweeps"),
+    [pytest.param(1 / 60, 50, marks=pytest.mark.slow), pytest.param(1 / 240, 10, marks=pytest.mark.weekly)],
+)
 def test_ten_unequal_boxes_stand_for_thirty_seconds(dt, sweeps):
     masses = np.random.default_rng(1).uniform(1, 3, 10)
     bodies, start = scene([FLOOR, *tower(masses, 0)], friction=0.5)

@@ -95,6 +95,7 @@ def test_ten_boxes_stand():
     assert np.allclose(after[0], state[0], atol=2e-3)  # they sink until the sweeps have found the weight
 
 
+@pytest.mark.slow
 def test_a_box_that_falls_on_its_corner_comes_to_rest_on_a_face():
     tilted = thing(BOX, (0.1, 0.15, 0.2), 1.0, (0, 0, 0.6), (0.8, 0.4, 0.4, 0.2))
     after, deepest = run(*world([FLOOR, tilted], 0.3, 0.5), 1 / 240, 480)

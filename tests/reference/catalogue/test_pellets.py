@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from levels import in_turn
 
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.pellets import RESTITUTION, SHOTS
@@ -28,12 +29,14 @@ def rows_of(name, profile, case=FAST, first=SHOTS, **changes):
     return {row.quantity: row for row in rows}, trajectories
 
 
-REST = [(20.0, 0.003, 1e-3), (60.0, 0.003, 2e-4), (180.0, 0.012, 2e-4), (180.0, 0.012, 1e-3)]
-MAP = [(60.0, 0.012, 1e-3), *(pytest.param(*each, marks=pytest.mark.slow) for each in REST)]
+MAP = [
+    *((60.0, 0.012, 1e-3), (20.0, 0.003, 1e-3), (60.0, 0.003, 2e-4)),
+    *((180.0, 0.012, 2e-4), (180.0, 0.012, 1e-3)),
+]
+FEW = [("pybullet", *MAP[0]), ("mujoco", *MAP[0])]
 
 
-@pytest.mark.parametrize(("speed", "thickness", "timestep"), MAP)
-@pytest.mark.parametrize("name", ["pybullet", "mujoco", pytest.param("dart", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("name", "speed", "thickness", "timestep"), in_turn(("dart", "pybullet", "mujoco"), MAP, FEW))
 def test_a_discrete_test_loses_what_speed_timestep_and_thickness_say(name, speed, thickness, timestep, installed):
     installed(name)
     case = FAMILY.case(f"v={speed:g},w={1000 * thickness:g}mm")

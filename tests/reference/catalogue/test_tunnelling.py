@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from levels import in_turn
 
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.tunnelling import CAUGHT, SHOTS, passing_share
@@ -49,12 +50,12 @@ def test_exact_methods_let_nothing_pass_and_step_methods_the_derived_share():
     assert (at_step.value, at_step.shift) == (0.0, pytest.approx(1 - 0.025 / 0.04))
 
 
-SLOWER = ((10, 4e-3), (20, 2e-3), (5, 4e-3))
-SHOWN = [(20, 4e-3), (20, 1e-3), *(pytest.param(*each, marks=pytest.mark.slow) for each in SLOWER)]
+ENGINES = ("pybullet", "mujoco", "dart")
+SHOWN = ((20, 1e-3), (20, 2e-3), (10, 4e-3), (5, 4e-3), (20, 4e-3))
+FEW = [("pybullet", 20, 1e-3), *((name, 20, 4e-3) for name in ENGINES)]
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
-@pytest.mark.parametrize(("speed", "timestep"), SHOWN)
+@pytest.mark.parametrize(("name", "speed", "timestep"), in_turn(ENGINES, SHOWN, FEW))
 def test_an_engine_lets_the_derived_share_pass_at_a_coarse_timestep(name, speed, timestep, installed):
     engine, case = installed(name), FAMILY.case(f"v={speed}")
     settings = engine.settings(case.scenarios[0], "tuned").change(timestep=timestep)

@@ -21,7 +21,6 @@ CASE, FLOOR = f"depth={DEEP:g}", bowls.RIM - DEEP
 SCENE = catalogue()["ball-in-a-bowl"].case(CASE).scenarios[0]
 BLOCK = catalogue()["ball-in-a-bowl"].case("hull").scenarios[0]
 TUNED = (("handwritten", "world"), ("pybullet", "tuned"), ("mujoco", "tuned"), ("dart", "tuned"))
-every_tuned = pytest.mark.parametrize(("name", "profile"), TUNED)
 NEAR = 1e-5
 """m: PyBullet's ball falls by g dt² where rounding decides that it does not touch."""
 
@@ -30,7 +29,10 @@ def rows(name, profile, case=CASE, **changes):
     return {row.quantity: row for row in job("ball-in-a-bowl", name, profile, case, **changes).rows}
 
 
-@pytest.mark.parametrize(("name", "profile"), [pytest.param(*TUNED[0], marks=pytest.mark.slow), *TUNED[1:]])
+@pytest.mark.parametrize(
+    ("name", "profile"),
+    [pytest.param(*each, marks=() if each[0] == "pybullet" else pytest.mark.slow) for each in TUNED],
+)
 def test_a_ball_comes_to_rest_on_the_floor_and_leaves_a_wall_as_theory_says(name, profile, installed):
     installed(name)
     assert rows(name, profile)["rest"].measured == pytest.approx(FLOOR + RADIUS, abs=NEAR)
@@ -66,7 +68,7 @@ def test_as_installed_a_contact_has_the_gap_to_the_block_that_is_the_hull(name, 
         assert abs(normal[2]) == pytest.approx(1.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+@pytest.mark.parametrize("name", ["pybullet", pytest.param("mujoco", marks=pytest.mark.slow)])
 def test_the_hull_alone_brings_a_tuned_engine_to_the_lid_as_predicted(name, installed):
     installed(name)
     found = rows(name, "tuned", contacts_of="hull")
@@ -89,7 +91,7 @@ def test_darts_default_detector_lets_a_ball_fall_through_a_mesh(scene, installed
     assert float(held.position("ball")[-1, 2]) > scene.body("solid").position[2]
 
 
-@every_tuned
+@pytest.mark.parametrize(("name", "profile"), [pytest.param(*TUNED[0], marks=pytest.mark.slow), *TUNED[1:]])
 def test_a_ball_that_slides_over_the_edge_within_the_floor_goes_straight_on(name, profile, installed):
     engine, place = installed(name), Placed(SCENE.body("solid"))
     start, way = np.array([-0.4, 0.1, FLOOR + RADIUS]), np.array([1.0, -0.3, 0.0])

@@ -294,7 +294,10 @@ def test_the_method_describes_the_contact():
 
 @pytest.mark.parametrize(
     ("case", "verdict"),
-    [("e=0.5", Verdict.DISAGREES), pytest.param("e=0.8", Verdict.PASS, marks=pytest.mark.slow)],
+    [
+        pytest.param("e=0.5", Verdict.DISAGREES, marks=pytest.mark.slow),
+        pytest.param("e=0.8", Verdict.PASS, marks=pytest.mark.slow),
+    ],
 )
 def test_a_fifth_impact_too_slow_to_rebound_disagrees_with_theory(case, verdict):
     found = row("two-walls", "dart", "tuned", case, "speed_left")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from catalogue_rows import fast_and_slow
+from levels import in_turn
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.compare import judged, measured
@@ -21,6 +21,8 @@ CASES = (
     ("tipping-box", "h=0.2,μ=0.3,θ=20°"),
     ("friction-oscillator", "μ=0.5,k=300,x=0.15"),
 )
+ENGINES = ("pybullet", "mujoco", "dart")
+FAST = [(name, *CASES[4]) for name in ENGINES]
 SHARE = 1.001
 
 
@@ -48,9 +50,8 @@ def verdicts(name: str, family_name: str, case_name: str, fault, installed) -> s
     return {row.verdict for row in rows}
 
 
-@fast_and_slow("place", CASES[4:5], CASES)
-@pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
-def test_a_thousandth_more_friction_or_gravity_fails(name, place, installed):
-    assert Verdict.FAIL not in verdicts(name, *place, lambda scenario: scenario, installed)
+@pytest.mark.parametrize(("name", "family", "case"), in_turn(ENGINES, CASES, FAST))
+def test_a_thousandth_more_friction_or_gravity_fails(name, family, case, installed):
+    assert Verdict.FAIL not in verdicts(name, family, case, lambda scenario: scenario, installed)
     for fault in (more_friction, more_gravity):
-        assert Verdict.FAIL in verdicts(name, *place, fault, installed)
+        assert Verdict.FAIL in verdicts(name, family, case, fault, installed)

@@ -70,19 +70,22 @@ def test_every_sample_of_an_engine_is_as_predicted(name, scene, installed):
         assert np.max(np.linalg.norm(turning, axis=1)) < found.near
 
 
+BY_HAND = {
+    "stops": SCENES["a slab off the axes stops"],
+    "static friction holds": turned_slope(0.5, 0.3),
+    "breaks away": turned_slope(0.4, 0.3),
+    "stops uphill and stays": turned_slope(0.7, 0.3, speed=-0.4),
+}
+IN_THE_WORLD = [
+    pytest.param(what, "world", 1e-9, marks=() if what == "breaks away" else pytest.mark.slow) for what in BY_HAND
+]
+
+
 @pytest.mark.parametrize(
-    "scenario",
-    [
-        SCENES["a slab off the axes stops"],
-        turned_slope(0.5, 0.3),
-        turned_slope(0.4, 0.3),
-        turned_slope(0.7, 0.3, speed=-0.4),
-    ],
-    ids=["stops", "static friction holds", "breaks away", "stops uphill and stays"],
-)
-@pytest.mark.parametrize(("profile", "near"), [("step", 1e-12), ("world", 1e-9)])  # the world sweeps to 10⁻¹⁰
-def test_every_step_by_hand_is_as_predicted(scenario, profile, near, installed):
-    engine = installed("handwritten")
+    ("what", "profile", "near"), [*((what, "step", 1e-12) for what in BY_HAND), *IN_THE_WORLD]
+)  # the world sweeps to 10⁻¹⁰
+def test_every_step_by_hand_is_as_predicted(what, profile, near, installed):
+    engine, scenario = installed("handwritten"), BY_HAND[what]
     settings = engine.settings(scenario, profile)
     found = sliding.predict(scenario, settings, engine.method(scenario, settings))
     run = engine.run(scenario, settings)

@@ -24,12 +24,11 @@ from reference.report.sections import Section, sections
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)
 both = pytest.mark.parametrize("draw", [figures.trajectories, figures.convergence])
-DRAWN = ("ball-to-rest", "incline")
-"""Families whose figures the fast run draws; a figure takes half a second, and those of the others are like these."""
-TOGETHER = [pytest.param(DRAWN, id="two families"), pytest.param(tuple(catalogue()), id="all", marks=pytest.mark.slow)]
-every_family = pytest.mark.parametrize(
-    "family", [name if name in DRAWN else pytest.param(name, marks=pytest.mark.slow) for name in catalogue()]
-)
+DRAWN = ("ball-to-rest", "off-centre-impact")
+"""Every line of `figures` draws these: the first has a unit, four curves that count and an interpolated profile, the
+second none, the most profiles, and profiles without dashes of their own. Of the other families only the styles can
+differ, and a style is tested without a drawing, which takes half a second."""
+both_families = pytest.mark.parametrize("family", DRAWN)
 
 
 def results(family: str) -> list[JobResult]:
@@ -105,7 +104,7 @@ def test_the_same_numbers_give_the_same_bytes(draw):
 
 
 @both
-@every_family
+@both_families
 def test_a_figure_is_one_self_contained_svg_element(family, draw):
     svg = drawn(family, draw)
     assert ElementTree.fromstring(svg).tag == f"{SVG}svg"
@@ -117,7 +116,7 @@ def test_a_figure_is_one_self_contained_svg_element(family, draw):
 
 
 @both
-@every_family
+@both_families
 def test_a_figures_ids_contain_its_name_and_references_have_targets(family, draw):
     svg = drawn(family, draw)
     ids = re.findall(r'\bid="([^"]+)"', svg)
@@ -129,15 +128,14 @@ def test_a_figures_ids_contain_its_name_and_references_have_targets(family, draw
     assert len(re.findall(r"href=|url\(", svg)) == len(references), "nothing refers to anything outside"
 
 
-@pytest.mark.parametrize("families", TOGETHER)
-def test_all_figures_of_a_report_fit_in_one_page_without_sharing_an_id(families):
-    svgs = [drawn(family, draw) for family in families for draw in (figures.trajectories, figures.convergence)]
+def test_figures_of_two_families_fit_in_one_page_without_sharing_an_id():
+    svgs = [drawn(family, draw) for family in DRAWN for draw in (figures.trajectories, figures.convergence)]
     ids = [name for svg in svgs for name in re.findall(r'\bid="([^"]+)"', svg)]
     assert max(Counter(ids).values()) == 1
 
 
 @both
-@every_family
+@both_families
 def test_the_legend_names_every_line_in_the_order_of_the_tables(family, draw):
     found = section(family)
     names = [entry.label.partition(": ")[0] for entry in legend(drawn(family, draw))]
@@ -145,7 +143,7 @@ def test_the_legend_names_every_line_in_the_order_of_the_tables(family, draw):
 
 
 @both
-@every_family
+@both_families
 def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
     found = section(family)
     entries = list(zip(found.lines, legend(drawn(family, draw)), strict=True))
@@ -158,6 +156,16 @@ def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
                 assert left.dashes != right.dashes, (left.label, right.label)
     assert {line.counts for line, entry in entries if not entry.dashes} == {True}
     assert {line.counts for line, entry in entries if entry.face == entry.colour} == {True}
+
+
+def test_no_two_profiles_of_an_engine_have_the_same_dashes_in_any_family():
+    for family in catalogue():
+        styles = [(line, figures.line_style(line)["linestyle"]) for line in section(family).lines]
+        for name in engine_names():
+            dashes = [style for line, style in styles if line.result.job.engine == name]
+            assert len(set(dashes)) == len(dashes), (family, name)
+        assert "-" in (counted := [style for line, style in styles if line.counts]), family
+        assert not {style for line, style in styles if not line.counts} & set(counted), family
 
 
 @both

@@ -254,6 +254,7 @@ write([run_job(job) for job in reversed(pickle.loads(Path(sys.argv[1]).read_byte
 """
 
 
+@pytest.mark.slow
 def test_another_process_writes_the_same_bytes_from_another_order(report, tmp_path):
     jobs, out = tmp_path / "jobs", tmp_path / "out"
     jobs.write_bytes(pickle.dumps(JOBS))
