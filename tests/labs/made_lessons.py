@@ -7,11 +7,18 @@ import re
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
 from labs.building import lessons
 from reference import lecture
 from reference.recording.files import content_of
 
+IN_EVERY_RUN = ("detection", "impulse")
+EACH_LAB = pytest.mark.parametrize(
+    "topic",
+    [pytest.param(each.name, marks=() if each.name in IN_EVERY_RUN else pytest.mark.slow) for each in lecture.TOPICS],
+)
+"""What holds for every lab is tried with two of them in every run, and with the others by `make verify`."""
 HEAD = """---
 jupyter:
   jupytext:

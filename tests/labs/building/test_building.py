@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from made_lessons import HEAD, WRITES, sources
+from made_lessons import EACH_LAB, HEAD, WRITES, sources
 from program import collisions
 
 from labs.building import course_page, instructor_page, lessons, notebooks
@@ -23,7 +23,6 @@ from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, LESSONS, SOLVED_
 from reference import lecture
 from reference.errors import CollisionsError
 
-EVERY_TOPIC = pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS])
 QUESTION = """
 <!-- #region answer="why" points=3 -->
 Why is T early?
@@ -101,7 +100,7 @@ def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path)
     assert found.complaints == ()
 
 
-@EVERY_TOPIC
+@EACH_LAB
 def test_stub_is_the_solutions_own_header_and_docstring_without_notes(topic):
     excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):
@@ -168,7 +167,7 @@ def test_a_lesson_that_does_not_fit_is_refused_by_name(lesson, text, said):
     assert said in str(error.value)
 
 
-@EVERY_TOPIC
+@EACH_LAB
 def test_every_function_cut_out_of_the_solutions_works_by_itself(topic, monkeypatch):
     excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):
@@ -194,11 +193,15 @@ def test_build_check_names_what_is_stale_and_writes_nothing(lesson, tmp_path, mo
     assert collisions("lab", "build", "--check", "detection").code == 0
 
 
-def test_the_built_notebooks_and_pages_are_up_to_date():
-    for topic in lessons.lessons():
-        for folder, made in ((STUDENT_NOTEBOOKS, notebooks.student), (SOLVED_NOTEBOOKS, notebooks.solved)):
-            assert Path(folder, f"{topic}.ipynb").read_text(encoding="utf-8") == notebooks.text(made(topic)), topic
-        assert Path(INSTRUCTOR_PAGES, f"{topic}.md").read_text(encoding="utf-8") == instructor_page.page(topic), topic
+@EACH_LAB
+def test_the_built_notebooks_and_pages_of_a_lab_are_up_to_date(topic):
+    for folder, made in ((STUDENT_NOTEBOOKS, notebooks.student), (SOLVED_NOTEBOOKS, notebooks.solved)):
+        assert Path(folder, f"{topic}.ipynb").read_text(encoding="utf-8") == notebooks.text(made(topic))
+    assert Path(INSTRUCTOR_PAGES, f"{topic}.md").read_text(encoding="utf-8") == instructor_page.page(topic)
+
+
+def test_there_is_a_lesson_of_every_lab_and_the_page_of_the_course_is_up_to_date():
+    assert set(lessons.lessons()) == {each.name for each in lecture.TOPICS}
     assert COURSE_PAGE.read_text(encoding="utf-8") == course_page.page()
 
 

@@ -6,7 +6,7 @@ import ast
 import json
 
 import pytest
-from made_lessons import HEAD, WRITES, sources
+from made_lessons import EACH_LAB, HEAD, WRITES, sources
 
 from labs.building import lessons, notebooks
 from labs.building.guidance_gaps import gaps
@@ -163,13 +163,13 @@ def test_a_draft_of_nothing_or_without_a_model_is_refused(write, old, new, said)
         lessons.read("detection")
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@EACH_LAB
 def test_every_lab_has_its_hints_figures_and_verdicts(topic):
     missing = gaps(topic)
     assert not missing, "\n".join(missing)
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@EACH_LAB
 def test_lines_of_the_solved_notebook_are_right(topic):
     calls = [node for cell in lessons.read(topic).cells if cell.code and "lab.derive(" in cell.text
              for node in ast.walk(ast.parse(cell.guessed)) if isinstance(node, ast.Call)]  # fmt: skip

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import re
 
 import pytest
-from made_lessons import text_of
+from made_lessons import EACH_LAB, text_of
 
 from labs.building import lessons, notebooks
 from labs.building.notebooks import WIDTH
@@ -37,7 +38,7 @@ def times_of(topic: str) -> dict[str, list[str]]:
     return {row[0]: row[1:] for row in rows[1:]}
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@EACH_LAB
 def test_a_lesson_has_the_title_that_its_check_shows(topic):
     first = next(cell for cell in lessons.read(topic).cells if not cell.code)
     assert first.text.splitlines()[0] == f"# {lecture.topic(topic).title}"
@@ -54,7 +55,7 @@ def minutes_of(topic: str) -> int:
     return 60 * HOURS[hours]
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@EACH_LAB
 def test_the_minutes_of_the_headings_make_the_hours_that_the_lesson_names(topic):
     text = "\n".join(cell.text for cell in lessons.read(topic).cells if not cell.code)
     planned = {title: int(minutes) for title, minutes in re.findall(r"^## (.*) \((\d+) minutes\)$", text, re.MULTILINE)}
@@ -63,7 +64,13 @@ def test_the_minutes_of_the_headings_make_the_hours_that_the_lesson_names(topic)
     assert kept == planned | {"together": minutes_of(topic)}
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@functools.cache
+def cells_of(topic: str) -> list[dict]:
+    """The cells of a student's notebook, built once for the tests of this file."""
+    return notebooks.student(topic)["cells"]
+
+
+@EACH_LAB
 def test_the_times_follow_from_their_counts_and_the_minutes_from_the_times(topic):
     table = times_of(topic)
     rows = {title: [float(number.replace(",", "")) for number in row if number] for title, row in table.items()}
@@ -75,18 +82,18 @@ def test_the_times_follow_from_their_counts_and_the_minutes_from_the_times(topic
         if planned and not title.endswith("*"):
             assert planned[0] == pytest.approx(share, rel=0.34), title
     assert [sum(row[place] for row in rows.values()) for place in range(5)] == pytest.approx(whole[:5], rel=0.01)
-    cells = notebooks.student(topic)["cells"]
+    cells = cells_of(topic)
     texts = [" ".join(cell["source"]).split() for cell in cells if cell["cell_type"] == "markdown"]
     assert sum(map(len, texts)) == pytest.approx(whole[0], rel=0.03)
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@EACH_LAB
 def test_a_students_code_can_be_read_at_800_pixels(topic):
-    cells = [cell for cell in notebooks.student(topic)["cells"] if cell["cell_type"] == "code"]
+    cells = [cell for cell in cells_of(topic) if cell["cell_type"] == "code"]
     assert [line for cell in cells for line in cell["source"] if len(line.rstrip()) > WIDTH] == []
 
 
-@pytest.mark.parametrize("topic", lessons.lessons())
+@EACH_LAB
 def test_no_formula_is_broken_where_its_second_line_begins_a_list(topic):
     prose = re.sub(r"(?ms)^```.*?^```", "", (LESSONS / f"{topic}.md").read_text(encoding="utf-8"))
     for paragraph in re.split(r"\n\s*\n", prose):
