@@ -122,12 +122,18 @@ def is_right(name, kinds):
     assert diagnosis.right, told(diagnosis)
 
 
-@pytest.mark.parametrize("name", NAMES[::4])
+def some(names, start, step):
+    """All functions as parameters; those that are not in the sample are slow."""
+    sample = names[start::step]
+    return [pytest.param(name, marks=() if name in sample else pytest.mark.slow) for name in names]
+
+
+@pytest.mark.parametrize("name", some(NAMES, 0, 8))
 def test_a_solution_in_other_words_is_right(name):
     is_right(name, tuple(kind for kind in KINDS if kind not in ("sums", "single precision")))
 
 
-@pytest.mark.slow
+@pytest.mark.weekly  # each alone, as one could undo the harm of another
 @pytest.mark.parametrize("name", NAMES)
 def test_a_solution_in_each_other_wording_is_right(name):
     for kind in KINDS:
@@ -160,21 +166,17 @@ def handed_in(path):
 
 
 WRITTEN = {path.stem: handed_in(path) for path in alternatives()}
-BY_HAND = [(file, name) for name in NAMES for file, space in WRITTEN.items() if name in space]
+BY_HAND = [name for name in NAMES if any(name in space for space in WRITTEN.values())]
 
 
-@pytest.mark.parametrize(
-    ("file", "name"),
-    [
-        pytest.param(file, name, id=f"{name}/{file}", marks=() if place % 4 == 1 else pytest.mark.slow)
-        for place, (file, name) in enumerate(BY_HAND)
-    ],
-)
-def test_another_answer_by_hand_is_right(file, name):
-    diagnosis = diagnose(name, lambda name, *arguments: WRITTEN[file][name](*arguments))
-    assert diagnosis.verdict in ("right", "one at a time" if file == "single" else "right"), told(diagnosis)
-    assert not diagnosis.mistakes
-    assert not diagnosis.changes_input
+@pytest.mark.parametrize("name", some(BY_HAND, 1, 6))
+def test_answers_by_hand_are_right(name):
+    for file, space in WRITTEN.items():
+        if name in space:
+            diagnosis = diagnose(name, lambda name, *arguments, space=space: space[name](*arguments))
+            assert diagnosis.verdict in ("right", "one at a time" if file == "single" else "right"), told(diagnosis)
+            assert not diagnosis.mistakes, file
+            assert not diagnosis.changes_input, file
 
 
 def test_each_file_by_hand_answers_ten_functions_or_more():
@@ -190,11 +192,9 @@ def narrow(value):
     return tuple(narrow(part) for part in value) if isinstance(value, tuple) else np.asarray(value, dtype=np.float32)
 
 
-@pytest.mark.parametrize("form", [nested, narrow])
-@pytest.mark.parametrize(
-    "name", [*NAMES[::8], *(pytest.param(name, marks=pytest.mark.slow) for name in NAMES if name not in NAMES[::8])]
-)
-def test_answers_in_lists_or_single_precision_are_right(name, form):
+@pytest.mark.parametrize("name", some(NAMES, 0, 12))
+def test_answers_in_lists_or_single_precision_are_right(name):
     right = getattr(importlib.import_module(f"solutions.{lecture.function(name).topic}"), name)
-    diagnosis = diagnose(name, lambda _, *given: form(right(*given)))
-    assert diagnosis.right, told(diagnosis)
+    for form in (nested, narrow):
+        diagnosis = diagnose(name, lambda _, *given, form=form: form(right(*given)))
+        assert diagnosis.right, f"{form.__name__}: {told(diagnosis)}"
