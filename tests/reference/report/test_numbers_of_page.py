@@ -59,8 +59,9 @@ def number(text: str, unit: str) -> Told:
 
 
 def run_by_hand(family: str, profile: str) -> JobResult:
-    """All cases of a family: from the live runs of `make verify`, or else run here."""
-    return live.kept(live.planned()[family, "handwritten", profile]) or run_job(Job(family, "handwritten", profile))
+    """The cases that a whole report has: from the live runs of `make verify`, or else run here."""
+    planned = live.planned()[family, "handwritten", profile]
+    return live.kept(planned) or run_job(Job(family, "handwritten", profile, planned.cases))
 
 
 @pytest.fixture(scope="module")
