@@ -86,7 +86,8 @@ STEPPED = [
 @pytest.mark.parametrize(("engine", "profile"), STEPPED)
 def test_a_ball_comes_to_rest_in_the_step_that_is_predicted(engine, profile, installed):
     installed(engine)
-    rows = job("ball-to-rest", engine, profile, "e=0.5").rows
+    # The case that a whole report runs in the world, whose live run is read
+    rows = job("ball-to-rest", engine, profile, "e=0.8" if profile == "world" else "e=0.5").rows
     (row,) = [row for row in rows if row.quantity == "rest_time"]
     assert abs(row.off) < 1e-12  # an instant that is solved for, or one of the steps
     assert {row.verdict for row in rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION}  # also of a ball that sleeps
