@@ -17,7 +17,7 @@ from labs.benching.timing import benches
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference.running.shelf import VARIABLE, default_folder
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.weekly
 CACHE = default_folder()
 """The user's own; every test has another."""
 NAME = "impulse.ipynb"

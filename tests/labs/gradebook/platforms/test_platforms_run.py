@@ -20,10 +20,7 @@ from submissions import notebook
 from labs.gradebook.platforms import classroom50, gradescope, prairielearn
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(sys.platform != "linux", reason="the platforms run Linux"),
-]
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the platforms run Linux")
 
 SOLVED, STUB = (folder / "impulse.ipynb" for folder in (SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS))
 REVERSED = """\
@@ -112,6 +109,7 @@ def on_gradescope(root: Path, files: dict[str, bytes]) -> dict | None:
     return found
 
 
+@pytest.mark.weekly
 def test_gradescope_gives_all_points_to_the_solved_notebook(autograder):
     found = on_gradescope(autograder, {"impulse.ipynb": SOLVED.read_bytes()})
     assert found["score"] == 65
@@ -121,10 +119,12 @@ def test_gradescope_gives_all_points_to_the_solved_notebook(autograder):
     assert (autograder / "source").stat().st_mode & 0o007 == 0
 
 
+@pytest.mark.weekly
 def test_gradescope_gives_nothing_to_the_notebook_that_everybody_starts_with(autograder):
     assert on_gradescope(autograder, {"impulse.ipynb": STUB.read_bytes()})["score"] == 0
 
 
+@pytest.mark.slow
 def test_gradescope_names_a_known_mistake_and_keeps_hidden_tests_back(autograder):
     files = {"impulse.ipynb": notebook(REVERSED), "other.py": b"x = 1\n"}
     found = on_gradescope(autograder, files)
@@ -138,6 +138,7 @@ def test_gradescope_names_a_known_mistake_and_keeps_hidden_tests_back(autograder
     assert not [test for test in hidden if "body_a=" in test["output"]]
 
 
+@pytest.mark.weekly
 def test_gradescope_pays_no_attack_and_shows_it_nothing(autograder):
     tests = autograder / "source/project/tests/autograder/hidden/test_impulse.py"
     text = ATTACK.replace("TESTS", str(tests)).replace("RESULTS", str(autograder / gradescope.RESULTS))
@@ -147,6 +148,7 @@ def test_gradescope_pays_no_attack_and_shows_it_nothing(autograder):
     assert "asks(" not in json.dumps(found)
 
 
+@pytest.mark.weekly
 @pytest.mark.parametrize(
     ("files", "said"),
     [
@@ -161,6 +163,7 @@ def test_gradescope_says_why_there_is_nothing_to_grade(autograder, files, said):
     assert said in found["output"]
 
 
+@pytest.mark.weekly
 def test_gradescope_gets_no_result_if_the_grader_fails(autograder):
     lab = autograder / "source" / "lab.txt"
     before = lab.read_text(encoding="utf-8")
@@ -199,6 +202,7 @@ def job(tmp_path_factory, packages):
     return graded
 
 
+@pytest.mark.weekly
 def test_prairielearn_grades_the_files_of_a_student(job):
     wrong = job(notebook(REVERSED))
     assert 0 <= wrong["score"] < 1
@@ -209,6 +213,7 @@ def test_prairielearn_grades_the_files_of_a_student(job):
 # Classroom 50
 
 
+@pytest.mark.weekly
 def test_classroom_50_grades_a_repository_that_is_full_of_traps(tmp_path, packages):
     bundle, repository = exported("classroom50", tmp_path / "impulse"), tmp_path / "repository"
     names = [path.relative_to(bundle).as_posix() for path in bundle.rglob("*")]

@@ -143,9 +143,9 @@ QUICK = (("ValueError", "at times"), ("in a helper", "always"))
 @pytest.mark.parametrize(
     ("error", "when"),
     [
-        pytest.param(error, when, marks=() if (error, when) in QUICK else pytest.mark.slow)
+        pytest.param(error, when, marks=() if (error, when) in QUICK else level)
         for error in ERRORS
-        for when in WHEN
+        for when, level in (("at times", pytest.mark.slow), ("always", pytest.mark.weekly))
     ],
 )
 def test_an_error_out_of_a_wrong_function_accuses_none_of_its_callers(error, when, tmp_path):
