@@ -99,7 +99,7 @@ def loses(function, formula, seed):
     )
 
 
-@pytest.mark.parametrize("entry", WRITTEN, ids=lambda entry: entry.name)
+@pytest.mark.parametrize("entry", some(WRITTEN, 3, 6))
 def test_a_solution_passes_the_visible_and_hidden_tests_it_has(entry):
     assert {folder for folder, *_ in TESTS[entry.name]} == {"visible", "hidden"}
     assert lost(entry.name, Here()) == (0, [])
