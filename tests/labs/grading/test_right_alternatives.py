@@ -4,7 +4,7 @@ Each file of `tests/autograder/alternatives/whole` has all functions of a topic,
 as a class is: a file on disk, visible and hidden tests, a worker. Functions for a single case lose one part of a lab.
 
 How a file is stored matters only until it is read: whatever is graded is made of the text that reading returns. So
-each file is read in every format, and one is graded in each of them.
+each file is read in every format. One is graded as a notebook too, and in the other formats by `make weekly`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from reference import lecture
 
 FILES = {path.stem: path for path in sorted((AUTOGRADER / "alternatives" / "whole").glob("*.py"))}
 OFTEN = {"impulse_named"}
-"""Those that are tried in every run, and in every format by the slow checks: the manner that used to lose most."""
+"""Those that are tried in every run, and later in every format: the manner that used to lose most."""
 
 
 def unchanged(text: str) -> bytes:
@@ -99,6 +99,13 @@ def lost(content: dict) -> list[str]:
     ]
 
 
+def level(name: str, written) -> tuple | pytest.MarkDecorator:
+    """When a file is graded in a format."""
+    if written is unchanged and name in OFTEN:
+        return ()
+    return pytest.mark.slow if written in (unchanged, notebook) else pytest.mark.weekly
+
+
 @pytest.mark.parametrize(
     ("name", "written"),
     [
@@ -106,7 +113,7 @@ def lost(content: dict) -> list[str]:
             name,
             written,
             id=f"{name}-{written.__name__}",
-            marks=() if name in OFTEN and written is unchanged else pytest.mark.slow,
+            marks=level(name, written),
         )
         for name in FILES
         for written in FORMATS
@@ -128,7 +135,9 @@ def test_a_right_submission_in_other_words_loses_no_point(name, written, grader,
     assert found["complaints"] == []
 
 
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in OFTEN else pytest.mark.slow) for name in FILES]
+)
 def test_a_submission_is_read_as_the_same_program_in_every_format(name, tmp_path):
     wanted = [entry.name for entry in lecture.functions_of(topic_of(name))]
     found = [read(stored(name, written, tmp_path), wanted) for written in FORMATS]
