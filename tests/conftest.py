@@ -20,17 +20,17 @@ AUTOGRADER = Path(__file__).parent / "autograder"
 def pytest_configure(config: pytest.Config) -> None:
     """Draw the same examples in every run, without a time limit for one: a busy machine must not fail a test.
 
-    `make test` draws 50 examples for a property. `make weekly` draws 100 others, with `--hypothesis-profile=more` and a
-    seed of its own.
+    `make test` draws 25 examples for a property, `make verify` 50, and `make weekly` 100 with a seed of its own.
     """
     if config.getoption("--submission"):
         return  # the plugin for grading has its own, and loads hypothesis only where tests need it
     from hypothesis import settings  # noqa: PLC0415
 
     draw_without_constants_of_modules()
-    lab = settings(derandomize=True, deadline=None, max_examples=50)
+    lab = settings(derandomize=True, deadline=None, max_examples=25)
     settings.register_profile("lab", lab)
-    settings.register_profile("more", lab, max_examples=100, derandomize=False, database=None)
+    settings.register_profile("more", lab, max_examples=50)
+    settings.register_profile("others", lab, max_examples=100, derandomize=False, database=None)
     settings.load_profile("lab")
 
 

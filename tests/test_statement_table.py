@@ -28,6 +28,7 @@ def table() -> ModuleType:
 each_statement = pytest.mark.parametrize("entry", STATEMENTS, ids=lambda entry: f"{entry.number} {entry.title}")
 
 
+@pytest.mark.slow
 def test_the_page_is_what_the_code_writes(table):
     assert table.PAGE.read_text(encoding="utf-8") == table.page(), "run python docs/statement_table.py"
 

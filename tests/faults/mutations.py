@@ -62,8 +62,9 @@ def wrong(node: ast.AST) -> Iterator[ast.AST]:
 def faults(root: Path, path: str) -> Iterator[tuple[int, Fault]]:
     """Every fault of a file, with the line where it is."""
     for function, node, before, count in _places((root / path).read_text(encoding="utf-8")):
-        for other in wrong(node):
-            yield node.lineno, Fault(path, function, before, ast.unparse(other), count)  # type: ignore[attr-defined]
+        for after in map(ast.unparse, wrong(node)):
+            if after != before:  # as of two equal arguments that change places
+                yield node.lineno, Fault(path, function, before, after, count)  # type: ignore[attr-defined]
 
 
 def with_fault(source: str, fault: Fault) -> str:

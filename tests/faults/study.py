@@ -87,7 +87,7 @@ def executing(entry: Entry, executed: dict[str, dict[int, list[str]]]) -> Iterat
     """The tests that execute the line of a fault."""
     for line, fault in faults(ROOT, entry.path):
         if fault == entry.fault:
-            yield from sorted({test.partition("|")[0] for test in executed.get(entry.path, {}).get(line, [])} - {""})
+            yield from sorted({test.partition("|")[0] for test in executed.get(entry.path, {}).get(line, [])})
             return
 
 
@@ -150,7 +150,10 @@ def run(workers: int) -> int:
 def executed_lines(path: Path) -> dict[str, dict[int, list[str]]]:
     """By file and line, the tests that execute it."""
     whole = json.loads(path.read_text(encoding="utf-8"))["files"]
-    return {name: {int(line): tests for line, tests in each["contexts"].items()} for name, each in whole.items()}
+    return {
+        name: {int(line): names for line, tests in each["contexts"].items() if (names := [it for it in tests if it])}
+        for name, each in whole.items()
+    }
 
 
 def main() -> int:

@@ -154,6 +154,7 @@ def test_two_convex_solids_are_as_far_apart_as_their_differences_are_from_the_or
     assert max(found) > 0.1
 
 
+@pytest.mark.slow
 def test_two_channels_are_as_far_apart_as_the_nearest_two_of_their_pieces():
     first, pieces = triangles(CHANNEL), [solids.hull(CHANNEL.points[list(piece)]) for piece in CHANNEL.pieces]
     for body in poses(40):

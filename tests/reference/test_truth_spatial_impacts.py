@@ -33,7 +33,9 @@ def odd(rng):
     return SpatialContact(k, np.array([*rng.normal(size=2), -rng.uniform(0.5, 2)]), rng.choice([0.1, 0.3, 0.6]))
 
 
-@pytest.mark.parametrize("law", [NEWTON, DISSIPATIVE, POISSON, STRONGE])
+@pytest.mark.parametrize(
+    "law", [NEWTON, STRONGE, *(pytest.param(law, marks=pytest.mark.slow) for law in (DISSIPATIVE, POISSON))]
+)
 def test_in_a_plane_of_any_heading_it_is_the_closed_form(law):
     rng = np.random.default_rng(0)
     for _ in range(6):

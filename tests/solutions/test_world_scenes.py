@@ -28,6 +28,7 @@ def tower(masses, seed):
     return boxes
 
 
+@pytest.mark.slow
 def test_three_unequal_boxes_stand_for_two_seconds():
     bodies, start = scene([FLOOR, *tower((3, 1, 2), 0)], friction=0.5)
     end = run_world(bodies, start, DOWN, 1 / 60, 120)

@@ -63,6 +63,7 @@ def test_what_a_lab_is_given_holds_no_answer_of_that_lab_or_of_a_later_one(topic
     assert [name for name in still if f"def {name}(" in text] == []
 
 
+@pytest.mark.slow
 def test_two_open_labs_can_borrow_what_the_other_asks_for(monkeypatch):
     modules = given(["detection", "impulse"])
     assert "def signed_distance" not in modules["detection"]
@@ -111,6 +112,7 @@ def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypa
         release(tmp_path / "other", "detection", ["impulse"])
 
 
+@pytest.mark.slow
 def test_of_some_labs_those_before_the_last_open_one_are_closed(tmp_path):
     labs = ["impulse", "detection"]
     assert release(tmp_path / "first", "detection", labs) == ["detection"]

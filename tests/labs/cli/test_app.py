@@ -93,6 +93,7 @@ def interrupt(command: list[str], running: Path, workers: int) -> tuple[int, str
 
 @pytest.mark.skipif(os.name != "posix", reason="where a process can be interrupted by a signal")
 @pytest.mark.parametrize("command", [pytest.param("compare", marks=pytest.mark.slow), "report"])
+@pytest.mark.slow
 def test_an_interrupt_ends_the_program_with_130_and_leaves_nothing(command, tmp_path, odd):
     running, out = tmp_path / "running", tmp_path / "out"
     running.mkdir()

@@ -71,8 +71,8 @@ def test_a_setting_that_makes_an_engine_wrong_fails(installed):
     [
         (CRASH, "its process died (exit code 3)"),
         (RAISE, "ZeroDivisionError: [bold]by the moon[/]"),
-        (NAN, "are not finite from t = 0.01 s on"),
-        (ELSE, "an odd one says timestep 0.02 s, and was told 0.01 s"),
+        pytest.param(NAN, "are not finite from t = 0.01 s on", marks=pytest.mark.slow),
+        pytest.param(ELSE, "an odd one says timestep 0.02 s, and was told 0.01 s", marks=pytest.mark.slow),
     ],
     ids=["crash", "exception", "NaN", "not as told"],
 )

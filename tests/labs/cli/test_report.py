@@ -70,6 +70,7 @@ def test_a_report_from_the_cache_is_the_same_report(written, tmp_path, monkeypat
     assert [set(found) for found in cached] == [{False}, {True}]
 
 
+@pytest.mark.slow
 def test_a_report_replaces_an_earlier_one_unless_it_is_refused(tmp_path, homework):
     out = tmp_path / "out"
     out.mkdir()

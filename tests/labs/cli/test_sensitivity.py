@@ -12,6 +12,7 @@ from reference.recording import sensitivity as kept
 pytestmark = pytest.mark.usefixtures("one_worker")
 
 
+@pytest.mark.slow
 def test_the_smallest_fault_is_printed_written_and_kept(tmp_path, monkeypatch):
     file = tmp_path / "kept.json"
     monkeypatch.setattr(kept, "FILE", file)

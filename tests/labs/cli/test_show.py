@@ -130,8 +130,17 @@ def test_a_demonstration_can_show_a_students_own_code(tmp_path):
     assert re.search(r"by hand +exact +needs", said.output)
 
 
-@pytest.mark.slow
-@EVERY
+LONG = ("stack", "tip")
+"""Demonstrations that take two thirds of the time of all of them together."""
+
+
+@pytest.mark.parametrize(
+    "demonstration",
+    [
+        pytest.param(one, marks=pytest.mark.weekly if one.name in LONG else pytest.mark.slow, id=one.name)
+        for one in DEMONSTRATIONS
+    ],
+)
 def test_every_demonstration_is_there_in_half_a_minute_and_fits_the_screen(demonstration, installed, tmp_path):
     for engine in demonstration.profiles:
         installed(engine)

@@ -78,6 +78,7 @@ def test_a_demonstration_shows_recorded_engines_or_names_the_missing(tmp_path, m
     assert collisions("show", "stack").code == 3
 
 
+@pytest.mark.slow
 def test_a_demonstration_without_hand_written_code_is_shown_as_recorded():
     said = collisions("show", "roll", "--no-plot")
     assert said.code == 0, said.errors

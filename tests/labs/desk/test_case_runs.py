@@ -87,6 +87,7 @@ def test_replay_and_curve_give_an_implementation_the_same_colour(lab, installed)
     assert "&quot;title&quot;:&quot;MuJoCo&quot;,&quot;tag&quot;:&quot;MuJoCo&quot;,&quot;look&quot;:2," in page
 
 
+@pytest.mark.slow
 def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells, installed):
     installed("pybullet")
     lab.topic = "impulse"
@@ -170,6 +171,7 @@ def test_a_timestep_is_swept_in_milliseconds(lab, monkeypatch):
 
 
 @pytest.mark.parametrize("count", [1, 5, *(pytest.param(count, marks=pytest.mark.slow) for count in (2, 8))])
+@pytest.mark.slow
 def test_a_sweep_of_any_length_has_its_picture(lab, count):
     values = tuple(0.1 * place for place in range(1, count + 1))
     lab.sweep("dropped-ball", "restitution", values, engines=("pybullet",))

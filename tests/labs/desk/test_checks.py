@@ -186,6 +186,7 @@ def missing_probability(speed, thickness, radius, dt):
 """Two functions that are right for one case alone."""
 
 
+@pytest.mark.slow
 def test_nbgrader_takes_one_part_from_a_lab_whose_functions_are_of_one_case(lab, cells, monkeypatch):
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
     cells += [*right_cells(), FOR_ONE]
@@ -194,6 +195,7 @@ def test_nbgrader_takes_one_part_from_a_lab_whose_functions_are_of_one_case(lab,
     assert lab.check("side_of_plane") == points_of("side_of_plane") - 1
 
 
+@pytest.mark.slow
 def test_one_part_is_lost_in_all_checks_together_until_its_function_is_mended(lab, cells, capsys):
     cells += [*right_cells(), FOR_ONE]
     assert "✗ side_of_plane" in said(capsys, lab.check, "side_of_plane")
@@ -233,6 +235,7 @@ def test_a_function_that_the_kernel_lost_is_named(lab, cells, capsys, monkeypatc
     assert "not there any more" not in said(capsys, lab.check, "signed_distance")
 
 
+@pytest.mark.slow
 def test_a_check_says_where_to_see_what_a_function_prints(lab, cells, capsys):
     printing = SIDE.replace("    return", "    print(separation)\n    return")
     cells += [*right_cells(), printing]

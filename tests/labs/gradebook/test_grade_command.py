@@ -66,7 +66,8 @@ def bars(monkeypatch):
 
 
 def test_a_class_is_graded_once_and_only_what_changed_is_graded_again(handed_in, bars):
-    done = grade(handed_in, "--jobs", "1")  # a second worker takes longer to start than these submissions take
+    alone = ("--jobs", "1", "--no-runs")  # a second worker takes longer to start than these submissions take
+    done = grade(handed_in, *alone)
     assert bars == [["Grading", 4, 4], ["Writing pages", 5, 5]]
     assert done.code == 0, done.error
     assert "4 submissions are graded, 0 could not be graded." in done.output
@@ -96,7 +97,7 @@ def test_a_class_is_graded_once_and_only_what_changed_is_graded_again(handed_in,
     wrong = notebook(NORMAL_VELOCITY + "# again\n")
     (handed_in / "submissions" / "bob_9_30_impulse-1.ipynb").write_bytes(wrong)
     (handed_in / "submissions" / "mallory_66_24_impulse.ipynb").unlink()
-    again = grade(handed_in, "--jobs", "1")
+    again = grade(handed_in, *alone)
     assert again.code == 0, again.error
     assert "The grade of Canvas 66 is put away: nothing is handed in any more." in again.output
     changed = [path.parent.name for path in paths if path.exists() and path.stat().st_mtime_ns != before[path][1]]
@@ -144,6 +145,7 @@ def test_a_wrong_column_or_number_is_refused_before_anything_is_graded(tmp_path,
     assert not (tmp_path / "grades").exists()
 
 
+@pytest.mark.slow
 def test_a_submission_that_a_busy_machine_stopped_loses_nothing_and_is_graded_in_the_next_run(tmp_path, monkeypatch):
     place = tmp_path / "submissions" / "ada"
     place.mkdir(parents=True)

@@ -108,6 +108,7 @@ def test_workers_end_with_a_command_that_is_killed_and_the_next_run_clears_up(tm
     assert not (tmp_path / "working").exists()
 
 
+@pytest.mark.slow
 def test_an_interrupt_stops_a_class_at_once_and_keeps_what_is_finished(tmp_path):
     with running(tmp_path) as program:
         began = time.monotonic()

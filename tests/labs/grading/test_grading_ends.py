@@ -52,7 +52,10 @@ def test_a_nursery_that_is_killed_makes_no_grade(tmp_path):
         grade(tmp_path / "lab.py", None, ["visible"], open_grader)
 
 
-@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "ending",
+    [signal.SIGKILL, *(pytest.param(each, marks=pytest.mark.slow) for each in (signal.SIGTERM, signal.SIGINT))],
+)
 def test_a_grader_that_is_ended_leaves_nothing(ending, tmp_path):
     code = """
 import os, signal, sys, time

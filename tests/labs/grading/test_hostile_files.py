@@ -98,7 +98,7 @@ LONG_ONES = {
     "one name on every line", "changes of one object", "decorators", "stars", "magics", "what could become a magic",
     "brackets", "a sum of thousands",
 }  # fmt: skip
-"""Sources whose length alone takes a second of Python's own reading; they are read at their full length."""
+"""Sources whose length alone takes a second of Python's own reading."""
 OTHERS: dict[str, tuple[str, Callable[[], str | bytes]]] = {
     "NUL": (".py", lambda: WRONG + "\0"),
     "UTF-16": (".py", lambda: WRONG.encode("utf-16")),
@@ -149,13 +149,20 @@ def check(path: Path, content: str | bytes, grader: Grader, longest: float) -> N
     assert all(character.isprintable() or character == "\n" for character in told)
 
 
-@pytest.mark.parametrize("name", sorted(PYTHON.keys() - LONG_ONES))
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow if name in LONG_ONES else ()) for name in PYTHON]
+)
 def test_a_hostile_source_is_read_soon_and_earns_nothing(name, grader, tmp_path):
     check(tmp_path / "lab.py", PYTHON[name](A_SIXTH), grader, LONG / 4)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", PYTHON)
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow if name == "a chain of functions" else pytest.mark.weekly)
+        for name in PYTHON
+    ],
+)
 def test_the_longest_hostile_source_is_read_in_seconds(name, grader, tmp_path):
     check(tmp_path / "lab.py", PYTHON[name](ROOM), grader, LONG)
 

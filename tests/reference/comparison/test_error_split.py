@@ -326,6 +326,7 @@ def test_a_run_that_needs_a_missing_function_is_not_split(tmp_path):
     assert error_split.split(asked) is None
 
 
+@pytest.mark.slow
 def test_the_slabs_error_at_the_step_is_that_of_its_policy():
     found = split_of("sliding-slab", "handwritten")
     (policy,) = defaults(found)

@@ -69,6 +69,7 @@ def test_faults_without_a_size_are_noticed_or_not():
     assert found_in(DROPS, "e=0.5", "slide", "sign").outcome is Outcome.NOTICED
 
 
+@pytest.mark.slow
 def test_a_step_that_falls_elsewhere_is_found_by_trying():
     """The time of rest is a whole number of steps: no slope says where it changes."""
     rest = catalogue()["ball-to-rest"]
@@ -83,6 +84,7 @@ def test_a_case_that_has_the_coefficient_is_chosen_too():
     assert [case.name for case in chosen(drops)] == ["e=0", "e=0.2"]
 
 
+@pytest.mark.slow
 def test_friction_is_tried_in_the_case_where_it_matters():
     """In the studied case the cube grips, and more friction changes nothing; elsewhere it slips."""
     found, _ = sensitivity.sensitivity(catalogue()["struck-cube"], HAND, "exact")

@@ -65,8 +65,8 @@ EXCEPTIONS = {
 AGAIN = dict(zip(catalogue(), itertools.cycle(engine_names()), strict=False))
 """Of each family the implementation in which its faults are injected again, one implementation after another.
 
-To inject all of them again took more than twenty minutes of processor time, on a machine three times slower than that of
-the allowances. `collisions sensitivity --keep` does it.
+To inject all of them again took more than twenty minutes of processor time, on a machine three times slower than that
+of the allowances. `collisions sensitivity --keep` does it.
 """
 INJECTED = [job for job in JOBS if AGAIN[job.family] == job.engine]
 

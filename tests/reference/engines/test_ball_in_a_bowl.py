@@ -33,6 +33,7 @@ def rows(name, profile, case=CASE, **changes):
     ("name", "profile"),
     [pytest.param(*each, marks=() if each[0] == "pybullet" else pytest.mark.slow) for each in TUNED],
 )
+@pytest.mark.slow
 def test_a_ball_comes_to_rest_on_the_floor_and_leaves_a_wall_as_theory_says(name, profile, installed):
     installed(name)
     assert rows(name, profile)["rest"].measured == pytest.approx(FLOOR + RADIUS, abs=NEAR)

@@ -59,6 +59,7 @@ def test_the_exact_root_lands_at_the_times_of_the_geometric_series():
     np.testing.assert_allclose(measure.impact_times(bounces("exact"), "ball", "floor")[:6], series, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_exact_root_comes_to_rest_when_the_series_ends():
     end = row("ball-to-rest", "handwritten", "exact", "e=0.9", "rest_time").measured
     assert f"{end:.5f}" == "8.57895"
@@ -121,6 +122,7 @@ def test_the_step_method_rebounds_low_by_one_minus_e_times_half_a_step(case):
 
 
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:], rest=weekly)
+@pytest.mark.slow
 def test_pybullet_rebounds_within_a_percent_of_e_squared(case, installed):
     installed("pybullet")
     found = rebound_of_many("pybullet", "tuned", case)
@@ -175,6 +177,7 @@ def test_single_pybullet_drops_scatter_by_e_times_one_minus_e_of_v_dt(case, time
         *(pytest.param(case, 2e-3, marks=weekly) for case in BOUNCES[2:]),
     ],
 )
+@pytest.mark.slow
 def test_pybullet_without_overlap_recovery_rebounds_low_by_half_a_step(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)

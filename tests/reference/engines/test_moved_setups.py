@@ -133,7 +133,10 @@ SCENES = {
 RUNS = [(what, profile) for what, scenario in SCENES.items() for profile in HANDWRITTEN.profiles(scenario)]
 
 
-@pytest.mark.parametrize(("what", "profile"), RUNS)
+SOME = [pytest.param(*run, marks=() if place % 3 == 0 else pytest.mark.slow) for place, run in enumerate(RUNS)]
+
+
+@pytest.mark.parametrize(("what", "profile"), SOME)
 def test_a_scene_that_is_moved_as_a_whole_does_the_same(what, profile):
     scenario = SCENES[what]
     here, there, drift = run(scenario, profile), run(moved(scenario), profile), drift_of(scenario)

@@ -75,6 +75,7 @@ def test_a_stack_stands_in_long_steps(tmp_path):
     assert np.max(drift) < 5 * fallen < 1e-3  # the scenario allows 1 mm
 
 
+@pytest.mark.slow
 def test_touching_balls_pass_the_blow_on_and_no_other_reading_is_predicted(tmp_path):
     found = {row.quantity: row for row in rows(tmp_path, STUDENT, "cradle", "5 touching")}
     assert (found["first"].measured, found["last"].measured) == pytest.approx((0, 1), abs=1e-9)

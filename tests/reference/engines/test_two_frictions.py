@@ -43,6 +43,7 @@ def verdicts(engine, profile: str) -> dict[str, set[Verdict]]:
     }
 
 
+@pytest.mark.slow
 def test_every_case_of_two_coefficients_agrees_by_hand():
     engine = load_engine("handwritten")
     assert all(found == {Verdict.PASS} for found in verdicts(engine, "exact").values())

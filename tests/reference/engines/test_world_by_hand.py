@@ -32,6 +32,7 @@ def run(*scenarios: Scenario, **changes):
     return ENGINE.run_many(scenarios, ENGINE.settings(scenarios[0], "world").change(**changes))
 
 
+@pytest.mark.slow
 def test_scenarios_in_one_batch_do_what_each_does_alone():
     spinning = ball("spins", (0.1, 0.0), 0.5, 0.4, angular_velocity=(3.0, 20.0, -5.0), velocity=(0.4, 0.1, 0.0))
     tumbling = Scenario(

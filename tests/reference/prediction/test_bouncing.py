@@ -54,7 +54,11 @@ def difference(engine, scenario: Scenario, settings: Settings) -> float:
     )
 
 
-@pytest.mark.parametrize(("engine", "profile"), METHODS)
+IN_EVERY_RUN = ("step", "tuned")
+OFTEN = [pytest.param(*each, marks=() if each[1] in IN_EVERY_RUN else pytest.mark.slow) for each in METHODS]
+
+
+@pytest.mark.parametrize(("engine", "profile"), OFTEN)
 def test_a_ball_bounces_step_by_step_as_the_recurrence_says(engine, profile, installed):
     found = installed(engine)
     settings = found.settings(BALL, profile)
@@ -77,7 +81,7 @@ def test_bullet_meets_a_ball_ahead_of_the_touch_and_a_box_at_an_overlap(installe
 
 
 STEPPED = [
-    pytest.param(*method, marks=pytest.mark.slow) if method[1] == "world" else method
+    pytest.param(*method, marks=() if method[1] in IN_EVERY_RUN else pytest.mark.slow)
     for method in METHODS
     if method[1] != "spring"
 ]

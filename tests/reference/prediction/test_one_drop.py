@@ -92,7 +92,13 @@ def test_each_response_follows_its_recurrence_down_a_slope(engine, profile, inst
     np.testing.assert_allclose(ran.velocities, predicted.velocities, atol=1e-9, rtol=0)
 
 
-@pytest.mark.parametrize("wrong", [{"stiffness": STIFFNESS * (1 + 1e-5)}, {"timestep": 5e-5 * (1 + 1e-6)}])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"stiffness": STIFFNESS * (1 + 1e-5)},
+        pytest.param({"timestep": 5e-5 * (1 + 1e-6)}, marks=pytest.mark.slow),
+    ],
+)
 def test_a_slightly_wrong_spring_is_not_as_predicted(wrong):
     engine, scenario = load_engine("handwritten"), FAMILY.case("e=0.5").scenarios[0]
     settings = engine.settings(scenario, "spring")

@@ -111,7 +111,7 @@ PAGES = [
     # the longest names, and all families one verdict with numbers and one with long numbers.
     *(page(verdict, WORDIEST, True) for verdict in Verdict),
     *(page(verdict, SOME, False, *(() if verdict in OFTEN else (slow,))) for verdict in Verdict),
-    page(Verdict.PASS, ALL, False),
+    page(Verdict.PASS, ALL, False, slow),
     page(Verdict.PASS, ALL, True, slow),
     page(Verdict.FAIL, ALL, True, pytest.mark.weekly),
 ]

@@ -89,6 +89,7 @@ def test_a_case_that_hangs_or_dies_costs_no_other_case_its_numbers(ending, note,
     assert result.series is not None
 
 
+@pytest.mark.slow
 def test_a_process_that_dies_in_a_study_leaves_the_cases_their_numbers_and_a_row_that_tells(tmp_path):
     body = "if settings.timestep != 0.01: os._exit(7)\nfor _ in range(steps + 1): recorder.sample(state)"
     job = Job("dropped-ball", engine_file(tmp_path, "studied", body), "tuned", with_studies=True)
@@ -171,6 +172,7 @@ PROMPTLY = 30.0  # s: on a busy machine some seconds, and half of what the job w
 
 
 @pytest.mark.parametrize("error", [GeneratorExit, pytest.param(KeyboardInterrupt, marks=pytest.mark.slow)])
+@pytest.mark.slow
 def test_leaving_early_waits_for_no_job_and_leaves_no_worker(error, tmp_path):
     job, begun = asleep(tmp_path)
     with ThreadPoolExecutor(2) as executor:
@@ -277,6 +279,7 @@ def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
     assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: finished after \d+\.\d s", said[3])
 
 
+@pytest.mark.slow
 def test_any_executor_can_run_the_jobs():
     class AtOnce(Executor):
         def submit(self, function, /, *arguments) -> Future:

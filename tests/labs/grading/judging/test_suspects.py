@@ -117,6 +117,7 @@ def test_a_suspect_is_named_before_its_callers_are_blamed(tmp_path):
     assert not report.all_right(sheet)
 
 
+@pytest.mark.slow
 def test_checking_one_function_names_the_suspect_that_it_calls(tmp_path):
     sheet, text = checked(tmp_path, "impulse", SLOWER_ALONG_Y, ("collide",))
     assert list(sheet.suspects) == ["normal_velocity"]
@@ -125,6 +126,7 @@ def test_checking_one_function_names_the_suspect_that_it_calls(tmp_path):
     assert text.endswith("Next: normal_velocity, marked ? above.")
 
 
+@pytest.mark.slow
 def test_a_caller_of_a_wrong_function_is_no_suspect(tmp_path):
     """It answers the probes wrongly, because of the function that it calls."""
     sheet, _ = checked(tmp_path, "impulse", SLOWER_ALONG_Y, ("normal_velocity", "impulse_magnitude"))
@@ -174,6 +176,7 @@ def test_a_function_of_one_case_that_writes_into_its_arguments_is_suspect(tmp_pa
     assert "It writes into its arguments" in text
 
 
+@pytest.mark.slow
 def test_what_an_earlier_function_left_behind_makes_no_suspect(tmp_path):
     assert checked(tmp_path, "impulse", COUNTED)[0].suspects == {}
 
