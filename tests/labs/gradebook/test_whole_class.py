@@ -114,6 +114,7 @@ def command(folder: Path, out: str) -> list[str]:
         str(folder / out),
         "--seconds",
         "30",
+        "--no-runs",
     ]
     return [sys.executable, "-m", "labs", *arguments]
 

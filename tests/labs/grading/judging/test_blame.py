@@ -136,16 +136,14 @@ ERRORS = {
     "a class of its own": "raise Odd(normal)",
     "in a helper": "helper(normal)",
 }
-IN_EVERY_RUN = ("ValueError", "at times")
 
 
 @pytest.mark.usefixtures("one_grader")
 @pytest.mark.parametrize(
     ("error", "when"),
     [
-        pytest.param(error, when, marks=() if (error, when) == IN_EVERY_RUN else level)
-        for error in ERRORS
-        for when, level in (("at times", pytest.mark.slow), ("always", pytest.mark.weekly))
+        *(pytest.param(error, "at times", marks=() if error == "ValueError" else pytest.mark.slow) for error in ERRORS),
+        *(pytest.param(error, "always", marks=pytest.mark.weekly) for error in ("ValueError", "in a helper", "shapes")),
     ],
 )
 def test_an_error_out_of_a_wrong_function_accuses_none_of_its_callers(error, when, tmp_path):
