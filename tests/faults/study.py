@@ -2,7 +2,7 @@
 
     python tests/faults/study.py run                        makes every fault of faults.csv, and runs its test
     python tests/faults/study.py draw COVERAGE [--seed 41]  draws faults in lines that tests execute, into faults.csv
-    python tests/faults/study.py find COVERAGE              finds the test of each fault that has none
+    python tests/faults/study.py find                       finds the test of each fault that has none
 
 COVERAGE is what `pytest --cov=reference --cov=labs --cov=solutions --cov-context=test` and `coverage json
 --show-contexts` write: which test executes which line. A fault is made in a copy of the tree, never in the tree itself.
@@ -20,8 +20,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
@@ -32,6 +31,8 @@ TABLE = Path(__file__).with_name("faults.csv")
 PACKAGES = ("reference", "labs", "solutions")
 OF_EACH = 20
 """So many faults are drawn in each package."""
+MOST_FILES = 12
+"""In so many files a test is sought that notices a fault; where none does, the others are for a person to try."""
 LEVELS = {"test": "not slow and not weekly", "verify": "slow and not weekly", "weekly": "weekly"}
 LIMIT = 900.0
 """Time that the tests of one fault may take, s; a fault may make a loop endless."""
@@ -83,12 +84,23 @@ def draw(executed: dict[str, dict[int, list[str]]], seed: int) -> list[Entry]:
     return found
 
 
-def executing(entry: Entry, executed: dict[str, dict[int, list[str]]]) -> Iterator[str]:
-    """The tests that execute the line of a fault."""
-    for line, fault in faults(ROOT, entry.path):
-        if fault == entry.fault:
-            yield from sorted({test.partition("|")[0] for test in executed.get(entry.path, {}).get(line, [])})
-            return
+def near(entry: Entry) -> list[str]:
+    """Test files that may notice a fault: those that name its function, its module, or the folder of its module."""
+    *_, folder, module = Path(entry.path).with_suffix("").parts
+    public = [name for name in entry.function.split(".") if not name.startswith("_")]
+
+    def likeness(path: Path) -> int:
+        text = path.read_text(encoding="utf-8")
+        names_it = any(re.search(rf"\b{name}\b", text) for name in public)
+        return 4 * names_it + 2 * bool(re.search(rf"\b{module}\b", text)) + (folder in str(path.relative_to(ROOT)))
+
+    likely = {path: likeness(path) for folder in ("reference", "labs", "solutions") for path in _tests_of(folder)}
+    best = sorted((path for path in likely if likely[path]), key=lambda path: -likely[path])
+    return [str(path.relative_to(ROOT)) for path in best[:MOST_FILES]]
+
+
+def _tests_of(package: str) -> list[Path]:
+    return sorted((ROOT / "tests" / package).rglob("test_*.py"))
 
 
 def noticed(entry: Entry, tests: list[str], level: str) -> str:
@@ -118,11 +130,10 @@ def noticed(entry: Entry, tests: list[str], level: str) -> str:
     return name[1] if name else f"{tests[0]} (pytest ended with {ended.returncode})"
 
 
-def found(entry: Entry, executed: dict[str, dict[int, list[str]]]) -> Entry:
-    """The entry with the test that notices it, sought among all that execute its line, level by level."""
-    tests = list(executing(entry, executed))
+def found(entry: Entry) -> Entry:
+    """The entry with the test that notices it, sought level by level in the files that are near it."""
     for level in LEVELS:
-        if tests and (test := noticed(entry, tests, level)):
+        if test := noticed(entry, near(entry), level):
             return replace(entry, level=level, test=test)
     return replace(entry, level="none")
 
@@ -166,13 +177,15 @@ def main() -> int:
     asked = parser.parse_args()
     if asked.command == "run":
         return run(asked.workers)
-    executed = executed_lines(asked.coverage)
     if asked.command == "draw":
-        write(draw(executed, asked.seed))
+        write(draw(executed_lines(asked.coverage), asked.seed))
         return 0
     entries = read()
     with ThreadPoolExecutor(asked.workers) as executor:
-        write(list(executor.map(lambda entry: entry if entry.test else found(entry, executed), entries)))
+        looking = {executor.submit(found, entry): place for place, entry in enumerate(entries) if not entry.level}
+        for each in as_completed(looking):
+            entries[looking[each]] = each.result()
+            write(entries)  # what is known so far outlives an interrupt
     return 0
 
 
