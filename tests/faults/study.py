@@ -31,7 +31,7 @@ TABLE = Path(__file__).with_name("faults.csv")
 PACKAGES = ("reference", "labs", "solutions")
 OF_EACH = 20
 """So many faults are drawn in each package."""
-MOST_FILES = 12
+MOST_FILES = 8
 """In so many files a test is sought that notices a fault; where none does, the others are for a person to try."""
 LEVELS = {"test": "not slow and not weekly", "verify": "slow and not weekly", "weekly": "weekly"}
 LIMIT = 900.0
@@ -130,12 +130,12 @@ def noticed(entry: Entry, tests: list[str], level: str) -> str:
     return name[1] if name else f"{tests[0]} (pytest ended with {ended.returncode})"
 
 
-def found(entry: Entry) -> Entry:
+def found(entry: Entry, levels: list[str]) -> Entry:
     """The entry with the test that notices it, sought level by level in the files that are near it."""
-    for level in LEVELS:
+    for level in levels:
         if test := noticed(entry, near(entry), level):
             return replace(entry, level=level, test=test)
-    return replace(entry, level="none")
+    return replace(entry, level="" if levels != list(LEVELS) else "none")
 
 
 def run(workers: int) -> int:
@@ -173,6 +173,7 @@ def main() -> int:
     parser.add_argument("command", choices=["run", "draw", "find"])
     parser.add_argument("coverage", type=Path, nargs="?")
     parser.add_argument("--seed", type=int, default=41)
+    parser.add_argument("--levels", nargs="+", choices=LEVELS, default=list(LEVELS))
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     asked = parser.parse_args()
     if asked.command == "run":
@@ -182,7 +183,9 @@ def main() -> int:
         return 0
     entries = read()
     with ThreadPoolExecutor(asked.workers) as executor:
-        looking = {executor.submit(found, entry): place for place, entry in enumerate(entries) if not entry.level}
+        looking = {
+            executor.submit(found, entry, asked.levels): place for place, entry in enumerate(entries) if not entry.test
+        }
         for each in as_completed(looking):
             entries[looking[each]] = each.result()
             write(entries)  # what is known so far outlives an interrupt
