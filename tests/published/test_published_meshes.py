@@ -33,6 +33,7 @@ def elastic_catenary(case):
 
 
 @pytest.mark.statement(28, oracle="P35: MoorPy's elastic catenary")
+@pytest.mark.slow
 def test_a_chain_of_springs_pulls_at_its_ends_as_a_cable_does(as_published):
     found = np.ravel(list(as_published("P35").values()))
     theory, _ = elastic_catenary(published("P35"))

@@ -101,6 +101,7 @@ def test_the_lid_is_where_the_hull_begins():
         assert not under_the_lid(np.array([x, 0.0, height + 1e-6]))
 
 
+@pytest.mark.slow
 def test_the_pieces_of_the_channel_fill_it_and_nothing_else():
     pieces = [solids.hull(CHANNEL.points[list(piece)]) for piece in CHANNEL.pieces]
     for point in places(CHANNEL, 200):

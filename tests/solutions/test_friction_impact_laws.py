@@ -74,6 +74,7 @@ def check_energy(laws, u, n, k, e, mu):
 
 
 @pytest.mark.statement(16, oracle="the energy of twenty thousand impacts of odd bodies")
+@pytest.mark.slow
 def test_maximal_dissipation_never_gains_over_no_friction():
     u, n, k, e, mu = coupled(20_000)
     check_energy([dissipative_impulse], u, n, k, e, mu)
@@ -222,6 +223,7 @@ def test_stronges_e_squared_is_the_ratio_of_the_two_works():
 
 
 @pytest.mark.parametrize("law", FOLLOWED)
+@pytest.mark.slow
 def test_the_points_part_even_where_friction_makes_them_approach_again(law):
     k = np.array([[26.0, 3, -17], [3, 29, 4], [-17, 4, 14]])
     u = np.array([2.0, 5, -1])

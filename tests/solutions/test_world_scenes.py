@@ -61,6 +61,7 @@ BALANCE = np.arctan2(HALF[0], HALF[2])
 """By how much a box of these half edges leans about its own y axis when its centre is above its edge, rad."""
 
 
+@pytest.mark.slow
 def test_a_box_dropped_on_an_edge_or_corner_falls_to_its_centres_side():
     leans = [BALANCE - 0.3, BALANCE - 0.1, BALANCE + 0.1, BALANCE + 0.3]
     things = []

@@ -12,6 +12,8 @@ from made_lessons import experiments_of, recorded, text_of
 import solutions.avoidance
 from labs.desk.own_steering import walkers
 
+pytestmark = pytest.mark.slow  # `make test` has test_detection_lesson of this kind
+
 ENGINES = ("pybullet", "mujoco", "dart")
 
 

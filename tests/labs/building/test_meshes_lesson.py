@@ -24,6 +24,8 @@ from solutions.meshes import (
     zero_energy_modes,
 )
 
+pytestmark = pytest.mark.slow  # `make test` has test_detection_lesson of this kind
+
 ENGINES = ("pybullet", "mujoco", "dart")
 
 

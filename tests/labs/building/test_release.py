@@ -92,6 +92,7 @@ def test_a_release_holds_no_solution_hidden_test_or_model_answer(tmp_path):
             assert secret not in path.read_text(encoding="utf-8"), path
 
 
+@pytest.mark.slow
 def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypatch):
     assert release(tmp_path / "out", only=["impulse"]) == ["impulse"]
     text = (tmp_path / "out/labs/given/detection.py").read_text(encoding="utf-8")

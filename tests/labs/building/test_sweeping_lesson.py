@@ -13,6 +13,8 @@ from reference.catalogue.scenarios import find
 from reference.running.study import plan, run_job
 from solutions.sweeping import missed_share
 
+pytestmark = pytest.mark.slow  # `make test` has test_detection_lesson of this kind
+
 ENGINES = ("pybullet", "mujoco", "dart")
 BALLS = 29
 

@@ -14,6 +14,8 @@ import solutions.world
 from labs.building import lessons
 from reference.recording.files import content_of
 
+pytestmark = pytest.mark.slow  # `make test` has test_detection_lesson of this kind
+
 ENGINES = ("pybullet", "mujoco", "dart")
 
 

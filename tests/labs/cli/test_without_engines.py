@@ -62,6 +62,7 @@ def test_published_cases_are_answered_from_recordings():
     assert "was recorded on" in said.text
 
 
+@pytest.mark.slow
 def test_a_demonstration_shows_recorded_engines_or_names_the_missing(tmp_path, monkeypatch):
     said = collisions("show", "stop")
     assert said.code == 0, said.errors
@@ -94,6 +95,7 @@ def test_names_with_a_star_leave_room_for_every_column(monkeypatch):
 
 
 @pytest.mark.parametrize("name", [ENGINES[0], *(pytest.param(name, marks=pytest.mark.slow) for name in ENGINES[1:])])
+@pytest.mark.slow
 def test_every_recorded_case_has_a_replay(name):
     for family in catalogue().values():
         if files.never_recorded(family.name, (name,)):  # a new family, of which the tests of recordings warn

@@ -160,6 +160,7 @@ def test_no_line_is_drawn_across_a_jump():
     assert sweep_picture._pieces(slope, spread=False) == [slope]
 
 
+@pytest.mark.slow
 def test_a_timestep_is_swept_in_milliseconds(lab, monkeypatch):
     slid = []
     monkeypatch.setattr(sweeps, "slide", slid.append)

@@ -45,6 +45,7 @@ AGAIN = ONE_ONLY.replace("np.vecdot(point, normal) + offset", "offset + np.vecdo
 TRIED, HINT, MISTAKE = "        physics ", "    Hint: ", "It is one only"
 
 
+@pytest.mark.slow
 def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     cells += [*right_cells(), ONE_ONLY]
     first = said(capsys, lab.check, "signed_distance")
@@ -164,6 +165,7 @@ def test_a_cell_is_named_by_the_number_the_kernel_gave_it(lab, cells, capsys):
 HALF_RIGHT = "def side_of_plane(separation, tolerance=0.0):\n    return np.sign(separation)"
 
 
+@pytest.mark.slow
 def test_nbgrader_gets_the_points_of_a_checked_function_as_a_value(lab, cells, monkeypatch):
     cells += right_cells()
     assert lab.check("side_of_plane") is None  # for a person the words are all

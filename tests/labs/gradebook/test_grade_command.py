@@ -65,6 +65,7 @@ def bars(monkeypatch):
     return shown
 
 
+@pytest.mark.slow
 def test_a_class_is_graded_once_and_only_what_changed_is_graded_again(handed_in, bars):
     alone = ("--jobs", "1", "--no-runs")  # a second worker takes longer to start than these submissions take
     done = grade(handed_in, *alone)

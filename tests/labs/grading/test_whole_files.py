@@ -153,6 +153,7 @@ def test_grading_again_gives_the_same_grade(three, grader, tmp_path):
     assert grade(tmp_path / "three.py", grader=grader).content() == three.content()
 
 
+@pytest.mark.slow
 def test_a_function_that_never_returns_is_stopped_and_the_rest_is_graded(grader, tmp_path, monkeypatch):
     monkeypatch.setattr(grader, "limits", Limits(call=0.6))
     (tmp_path / "lab.py").write_text(ENDLESS)

@@ -52,6 +52,7 @@ def test_a_restitution_of_one_can_only_be_too_small():
     assert found_in(DROPS, "e=1", "slide", "restitution").outcome is Outcome.NOTICED
 
 
+@pytest.mark.slow
 def test_what_physics_does_not_depend_on_has_no_effect():
     for fault in ("mass", "inertia", "sample"):
         assert found_in(DROPS, "e=0.5", "slide", fault).outcome is Outcome.NO_EFFECT

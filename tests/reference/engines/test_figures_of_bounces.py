@@ -196,6 +196,7 @@ def test_pybullet_without_overlap_recovery_rebounds_low_by_half_a_step(case, tim
         *(pytest.param(case, 1e-3, marks=weekly) for case in BOUNCES[1:] if case != "e=0.8"),
     ],
 )
+@pytest.mark.slow
 def test_mujoco_rebounds_low_by_half_a_step_plus_what_its_spring_adds(case, timestep, installed):
     installed("mujoco")
     e = restitution(case)

@@ -18,6 +18,8 @@ from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.scene.settings import Settings
 
+pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
+
 SOME_ON_SLOPES = ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°")  # holds, slides, tips
 OTHER_FLAT = (("pybullet", "e=0"), ("mujoco", "e=0"), ("mujoco", "e=0.5"))
 

@@ -22,6 +22,8 @@ from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenar
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
+pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
+
 G = GRAVITY
 FALL_SPEED = math.sqrt(2 * G)  # m/s, after 1 m
 SOFTNESS = 1e-5

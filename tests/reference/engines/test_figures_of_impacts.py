@@ -16,19 +16,18 @@ from reference.catalogue.scenarios.rods import END
 from reference.comparison.verdicts import Row, Verdict
 from reference.scene.scenario import Body, Pair, Scenario, Sphere
 
+pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
+
 FAMILIES = ("two-balls", "struck-rod", "rod-on-peg", "cradle", "parting-ball")
 engines = pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
 every_engine = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco", "dart"])
 
 
-PLOTTED = {family: catalogue()[family].curve.case for family in FAMILIES}
-"""The case of each family that `make test` looks at."""
-fast_or_all = pytest.mark.parametrize("whole", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["one", "all"])
 every_family = pytest.mark.parametrize("family", FAMILIES)
 
 
-def cases_of(family: str, whole: bool) -> list[str]:
-    return [case.name for case in catalogue()[family].cases if whole or case.name == PLOTTED[family]]
+def cases_of(family: str) -> list[str]:
+    return [case.name for case in catalogue()[family].cases]
 
 
 def rows_of(family: str, engine: str, case: str, profile: str = "") -> tuple[Row, ...]:
@@ -42,22 +41,20 @@ def measured(family: str, engine: str, case: str, quantity: str, profile: str = 
 # What came out
 
 
-@fast_or_all
 @every_family
 @every_engine
-def test_every_counted_quantity_with_a_theory_is_near_it_or_predicted(name, family, whole, installed):
+def test_every_counted_quantity_with_a_theory_is_near_it_or_predicted(name, family, installed):
     installed(name)
-    for case in cases_of(family, whole):
+    for case in cases_of(family):
         rows = rows_of(family, name, case)
         assert {row.verdict for row in rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}, case
         assert all(row.predicted is not None for row in rows if row.verdict is Verdict.KNOWN_DEVIATION), case
         assert {row.verdict for row in rows} != {Verdict.SHOWN}, case
 
 
-@fast_or_all
 @every_family
-def test_solving_for_the_instant_leaves_nothing_but_rounding(family, whole):
-    rows = [row for case in cases_of(family, whole) for row in rows_of(family, "handwritten", case)]
+def test_solving_for_the_instant_leaves_nothing_but_rounding(family):
+    rows = [row for case in cases_of(family) for row in rows_of(family, "handwritten", case)]
     rows = [row for row in rows if row.expected is not None]
     # Speeds of some m/s and spins of some 10 rad/s after a few hundred steps that each round.
     assert max(abs(row.measured - row.expected) for row in rows) < 1e-11

@@ -13,6 +13,8 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 
+pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
+
 # Rolling
 
 

@@ -19,6 +19,8 @@ from reference.published.in_engines import scenes
 from reference.published.theirs import published
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 
+pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
+
 STIFFNESS, TIMESTEP = 1e6, 5e-5  # of the profile, 1/s² and s
 FREQUENCY = math.sqrt(STIFFNESS)
 ROUNDING = 1e-11  # m and m/s, over some thousand steps at some m/s

@@ -27,6 +27,8 @@ from reference.comparison.errors_by_settings import Question
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
+pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
+
 # Stock settings fail where they must
 
 

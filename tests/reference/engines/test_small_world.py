@@ -47,6 +47,7 @@ def trajectory(folder, text, name, **changes):
     return engine.run(scenario, engine.settings(scenario, "world").change(**changes))
 
 
+@pytest.mark.slow
 def test_the_rebound_is_what_the_method_predicts(tmp_path):
     found = rows(tmp_path, STUDENT, "one-drop", "e=0.5", timestep=0.004)
     assert {row.verdict for row in found} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION}

@@ -68,6 +68,7 @@ def test_tuned_answers_are_near_theory_except_for_a_ball_inside_in_dart(family, 
 
 
 @pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+@pytest.mark.slow
 def test_the_hull_of_a_channel_fills_its_pocket(name, installed):
     installed(name)
     rows = {row.quantity: row for row in job("concave-solid", name, "stock", "depth=0.375").rows}

@@ -45,6 +45,7 @@ def test_the_toy_is_one_file_that_nothing_else_mentions():
             assert "toy_engine" not in file.read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_the_toy_has_rows_beside_those_of_hand_written_code(rows):
     assert {row.engine for row in rows} == {"handwritten", "toy"}
     assert {(row.engine, row.profile) for row in rows} == {("handwritten", "exact"), ("toy", "tuned")}

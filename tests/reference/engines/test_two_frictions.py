@@ -53,6 +53,7 @@ def test_every_case_of_two_coefficients_agrees_by_hand():
 
 
 @pytest.mark.parametrize("profile", ["exact", "step"])
+@pytest.mark.slow
 def test_kinetic_friction_in_place_of_static_fails_wherever_it_decides(profile, tmp_path):
     file = tmp_path / "one_coefficient.py"
     file.write_text(ONE_COEFFICIENT)

@@ -67,6 +67,7 @@ def test_a_ball_bounces_step_by_step_as_the_recurrence_says(engine, profile, ins
 
 
 @pytest.mark.parametrize(("engine", "profile"), [METHODS[2], METHODS[3], *METHODS[5:7]])
+@pytest.mark.slow
 def test_four_corners_share_an_impact_as_the_recurrence_says(engine, profile, installed):
     found = installed(engine)
     assert difference(found, SLAB, found.settings(SLAB, profile)) < OFF

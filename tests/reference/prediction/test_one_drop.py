@@ -82,6 +82,7 @@ def test_a_spring_is_as_deep_and_lasts_as_long_as_its_closed_form_says(engine, d
 
 
 @pytest.mark.parametrize(("engine", "profile"), PROFILES)
+@pytest.mark.slow
 def test_each_response_follows_its_recurrence_down_a_slope(engine, profile, installed):
     found, scenario = installed(engine), FAMILY.case("e=0.2").scenarios[0]
     settings = found.settings(scenario, profile)

@@ -241,6 +241,7 @@ def test_several_families_end_with_a_table_of_marks(real):
     assert words(lines[start + 2]) == "stack … needs"
 
 
+@pytest.mark.slow
 def test_the_catalogue_fits_one_screen_of_marks():
     lines = of_catalogue(Verdict.PASS).splitlines()
     start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))

@@ -241,6 +241,7 @@ with ThreadPoolExecutor(1) as executor:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="where a process can be interrupted by a signal")
+@pytest.mark.slow
 def test_an_interrupt_from_the_keyboard_ends_the_study_promptly(tmp_path):
     job, begun = asleep(tmp_path)
     study = subprocess.Popen([sys.executable, "-c", INTERRUPTED, job.engine], stderr=subprocess.PIPE, text=True)
