@@ -170,7 +170,7 @@ def test_exact_steps_that_ipctk_hits_are_hit_no_later(kind, count):
 
 
 @KINDS
-@pytest.mark.slow
+@pytest.mark.weekly
 @pytest.mark.statement(10, oracle="steps made so that the features meet at a known time")
 def test_no_meeting_of_many_more_is_missed_and_none_is_late(kind):
     query, time = meeting(kind, 200_000, 7)

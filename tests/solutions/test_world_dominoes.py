@@ -125,7 +125,7 @@ def test_a_smooth_row_falls_as_fast_as_van_leeuwens_theory_says():
     np.testing.assert_allclose(found[3:], theory[3:], rtol=0.012)
 
 
-@pytest.mark.slow
+@pytest.mark.weekly
 def test_a_rough_row_falls_as_fast_as_in_the_engines(installed):
     """Ten dominoes with friction 0.5 at all contacts, tuned engines at 1 ms.
 

@@ -132,7 +132,7 @@ def test_a_smooth_ladder_falls_as_its_integral_and_leaves_the_wall_at_two_thirds
     np.testing.assert_allclose(run.velocity[:, 2] @ np.cross(up, away), 0, atol=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.weekly
 def test_bodies_come_to_rest_at_the_foot_of_a_slope_as_in_the_engines(installed):
     """Two boxes and a ball on a slope, which a fixed box ends; each settles against the one before it."""
     slope, heading, friction, duration = 0.35, 0.6, 0.2, 4.0

@@ -141,7 +141,7 @@ def test_a_box_carries_one_a_hundred_times_heavier():
     assert np.max(np.abs(end.velocity[-1])) < 0.01
 
 
-@pytest.mark.slow
+@pytest.mark.weekly
 def test_a_box_carries_one_a_thousand_times_heavier_in_more_sweeps():
     """Each sweep moves a share of about 1/1000 of the weight on to the floor, so that 50 sweeps are far too few."""
     bodies, start = scene(loaded(1000.0), friction=0.4)
