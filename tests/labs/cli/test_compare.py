@@ -84,6 +84,7 @@ def test_a_run_without_a_usable_answer_ends_with_3_beside_the_others(body, said,
     assert "gave no answer." in ended.text
 
 
+@pytest.mark.slow
 def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
     # 1 s: whatever the limit, it hangs for longer; what it is here only makes the test quick.
     monkeypatch.setattr(jobs, "TIME_LIMIT", 1.0)

@@ -68,6 +68,7 @@ def test_a_crash_in_an_earlier_notebook_names_the_notebook(lab, cells, tmp_path)
     assert "division by zero, at detection.ipynb, code cell 2, line 2, in signed_distance" in str(lab.shown[-1])
 
 
+@pytest.mark.slow
 def test_an_endless_loop_in_a_run_is_stopped_and_its_place_named(lab, cells, monkeypatch):
     monkeypatch.setattr(case_runs, "TIME_LIMIT", 3.0)  # a worker that has just started takes a second to begin
     loop = "def signed_distance(point, normal, offset):\n    while True:\n        time.sleep(0.01)"

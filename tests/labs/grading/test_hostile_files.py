@@ -194,6 +194,7 @@ def test_what_is_no_file_is_an_error_that_names_it(kind, grader, tmp_path):
                 grade(path, topics, ["visible"], grader)
 
 
+@pytest.mark.slow
 def test_when_the_time_is_up_the_rest_says_so_and_a_grade_is_written(grader, tmp_path):
     names = ["signed_distance", "side_of_plane", "overlap_interval", "missing_probability", "time_of_impact_exact"]
     text = "import time\n" + "".join(f"def {name}(*given): time.sleep(0.3)\n" for name in names)

@@ -76,9 +76,7 @@ BY_HAND = {
     "breaks away": turned_slope(0.4, 0.3),
     "stops uphill and stays": turned_slope(0.7, 0.3, speed=-0.4),
 }
-IN_THE_WORLD = [
-    pytest.param(what, "world", 1e-9, marks=() if what == "breaks away" else pytest.mark.slow) for what in BY_HAND
-]
+IN_THE_WORLD = [pytest.param(what, "world", 1e-9, marks=pytest.mark.slow) for what in BY_HAND]
 
 
 @pytest.mark.parametrize(

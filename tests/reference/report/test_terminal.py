@@ -128,6 +128,7 @@ def test_nothing_is_wider_than_80_columns_or_cut_off(verdict, families, with_cas
 @pytest.mark.parametrize(
     ("families", "with_cases"), [(ALL, False), (WORDIEST, True), pytest.param(ALL, True, marks=slow)]
 )
+@pytest.mark.slow
 def test_every_name_of_the_catalogue_is_printed_in_full(families, with_cases):
     text = of_catalogue(Verdict.PASS, families, with_cases)
     for family in (catalogue()[name] for name in families):

@@ -265,6 +265,7 @@ run_isolated(exec, 300, "import os, time; open(%r, 'w').write(str(os.getpid()));
 
 
 @pytest.mark.skipif(os.name != "posix", reason="where a process can see that its parent is gone")
+@pytest.mark.slow
 def test_a_busy_worker_ends_when_its_parent_is_killed(tmp_path):
     written = tmp_path / "pid"
     parent = subprocess.Popen([sys.executable, "-c", ORPHANED, str(written)])

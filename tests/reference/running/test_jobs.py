@@ -60,6 +60,7 @@ def test_a_job_that_fails_gives_one_row_and_the_others_finish(tmp_path):
         assert results[job].rows == run_job(job).rows
 
 
+@pytest.mark.slow
 def test_a_job_that_hangs_is_stopped_and_the_others_finish(tmp_path):
     hung = Job("dropped-ball", engine_file(tmp_path, "hung", "threading.Event().wait()"), "tuned", ("e=0.5",))
     results = results_of([hung, GOOD], timeout=8.0)  # s: the good one takes one or two, its process's start included

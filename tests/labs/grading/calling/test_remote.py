@@ -131,6 +131,7 @@ def test_a_call_that_takes_too_long_ends_only_its_test(of, hasty):
         assert call("f", False) == 1
 
 
+@pytest.mark.slow
 def test_a_function_that_was_too_slow_gets_less_time_afterwards(of, hasty):
     # Loops that sleep: they are stopped like busy ones, and cost the machine nothing while they are waited for.
     loops = """
@@ -168,6 +169,7 @@ def test_many_calls_in_time_cannot_exceed_the_limit_of_their_test(of, hasty):
         calls_until_it_fails(call, "f")
 
 
+@pytest.mark.slow
 def test_a_submission_that_always_hangs_has_a_limit_in_all():
     loops = "".join(f"def {name}():\n    while True: time.sleep(0.01)\n" for name in "fgh")
     text = f"import time\n{loops}def k(): return 1"

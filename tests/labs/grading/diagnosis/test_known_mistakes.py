@@ -37,7 +37,7 @@ def wrong(function):
 def pytest_generate_tests(metafunc):
     """One function after another, each with all tests: they ask its wrong formulas the same."""
     functions = [
-        pytest.param(name, marks=() if place % 24 == 0 else pytest.mark.slow) for place, name in enumerate(MISTAKES)
+        pytest.param(name, marks=() if place % 36 == 0 else pytest.mark.slow) for place, name in enumerate(MISTAKES)
     ]
     metafunc.parametrize("function", functions, scope="module")
 

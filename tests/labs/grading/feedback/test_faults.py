@@ -87,6 +87,7 @@ def test_called_functions_cost_no_points(tmp_path, grader):
     assert sheet.points == sum(outcome.points for outcome in sheet.about("impulse_magnitude"))
 
 
+@pytest.mark.slow
 def test_the_function_that_hangs_is_named_not_its_caller(tmp_path, grader):
     endless = "import numpy as np, time\ndef normal_velocity(a, b, n):\n    while True: time.sleep(0.01)\n" + IMPULSE
     text = checked(tmp_path, grader, endless, "impulse_magnitude")
