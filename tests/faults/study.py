@@ -11,6 +11,7 @@ COVERAGE is what `pytest --cov=reference --cov=labs --cov=solutions --cov-contex
 from __future__ import annotations
 
 import argparse
+import contextlib
 import csv
 import json
 import os
@@ -20,10 +21,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
+import pytest
 from mutations import Fault, faults, with_fault
 
 ROOT = Path(__file__).parents[2]
@@ -41,7 +44,10 @@ _COPIED = (*PACKAGES, "tests", "docs", "pyproject.toml", "README.md", "CONTRIBUT
 
 @dataclass(frozen=True)
 class Entry:
-    """A row of the table. level: of the test that notices it, `none` where none does, empty before anybody looked."""
+    """A row of the table. level, test: of the test that notices it, empty where none is known.
+
+    Where a fault changes no result, the level is `same`, and a person has put the reason in the place of the test.
+    """
 
     path: str
     function: str
@@ -105,6 +111,15 @@ def _tests_of(package: str) -> list[Path]:
 
 def noticed(entry: Entry, tests: list[str], level: str) -> str:
     """The first of these tests of a level that fails with the fault; empty if none does."""
+    with copied() as copy:
+        target = copy / entry.path
+        target.write_text(with_fault(target.read_text(encoding="utf-8"), entry.fault), encoding="utf-8")
+        return failing(copy, tests, LEVELS[level])
+
+
+@contextlib.contextmanager
+def copied() -> Iterator[Path]:
+    """A copy of the tree, for as long as it is needed."""
     with tempfile.TemporaryDirectory() as place:
         copy = Path(place, "lab")
         copy.mkdir()
@@ -114,20 +129,31 @@ def noticed(entry: Entry, tests: list[str], level: str) -> str:
                 shutil.copytree(source, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
             else:
                 shutil.copy2(source, copy / name)
-        target = copy / entry.path
-        target.write_text(with_fault(target.read_text(encoding="utf-8"), entry.fault), encoding="utf-8")
-        environment = os.environ | {"PYTHONPATH": str(copy), "MPLBACKEND": "Agg", "COLLISIONS_LIVE": "here"}
-        command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-m", LEVELS[level], *tests]
-        try:
-            ended = subprocess.run(
-                command, cwd=copy, env=environment, capture_output=True, text=True, timeout=LIMIT, check=False
-            )
-        except subprocess.TimeoutExpired:
-            return f"{tests[0]} (no end)"
-    if ended.returncode in (0, 5):  # all passed, or none was there
+        yield copy
+
+
+def failing(copy: Path, tests: Sequence[str], marks: str) -> str:
+    """The first of these tests that fails in a copy of the tree; empty if none does.
+
+    Raises
+    ------
+    LookupError
+        If there is no such test.
+    """
+    environment = os.environ | {"PYTHONPATH": str(copy), "MPLBACKEND": "Agg", "COLLISIONS_LIVE": "here"}
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-m", marks, *tests]
+    try:
+        ended = subprocess.run(
+            command, cwd=copy, env=environment, capture_output=True, text=True, timeout=LIMIT, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return tests[0]
+    if ended.returncode in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
         return ""
-    name = re.search(r"^(?:FAILED|ERROR) (.*?)(?: - .*)?$", ended.stdout, re.MULTILINE)
-    return name[1] if name else f"{tests[0]} (pytest ended with {ended.returncode})"
+    if ended.returncode == pytest.ExitCode.USAGE_ERROR:
+        raise LookupError(f"there is no such test: {' '.join(tests)}")
+    name = re.search(r"^(?:FAILED|ERROR) ([^\s\[]+)", ended.stdout, re.MULTILINE)
+    return name[1] if name else tests[0]
 
 
 def found(entry: Entry, levels: list[str]) -> Entry:
@@ -135,26 +161,28 @@ def found(entry: Entry, levels: list[str]) -> Entry:
     for level in levels:
         if test := noticed(entry, near(entry), level):
             return replace(entry, level=level, test=test)
-    return replace(entry, level="" if levels != list(LEVELS) else "none")
+    return entry
 
 
 def run(workers: int) -> int:
-    """Make every fault of the table again; 1 if one of them is not noticed."""
-    entries = [entry for entry in read() if entry.test]
+    """Make every fault of the table again; 1 if one of them is not noticed, or its test fails without it too."""
+    entries = [entry for entry in read() if entry.level in LEVELS]
+    with copied() as copy:
+        if test := failing(copy, sorted({entry.test for entry in entries}), ""):
+            print(f"{test} fails without any fault")
+            return 1
 
     def again(entry: Entry) -> str:
         try:
-            return noticed(entry, [entry.test.partition(" (")[0]], entry.level)
+            if noticed(entry, [entry.test], entry.level):
+                return ""
+            return f"{entry.test} does not notice {entry.before} → {entry.after} in {entry.path}, {entry.function}"
         except LookupError as error:
-            return f"draw another: {error}"
+            return f"draw another, or find its test: {error}"
 
     with ThreadPoolExecutor(workers) as executor:
-        results = list(executor.map(again, entries))
-    missed = [entry for entry, test in zip(entries, results, strict=True) if not test]
-    for entry in missed:
-        print(f"{entry.test} does not notice {entry.before} → {entry.after} in {entry.path}, {entry.function}")
-    print(*(test for test in results if test.startswith("draw another")), sep="\n")
-    print(f"{len(entries) - len(missed)} of {len(entries)} faults are noticed.")
+        missed = list(filter(None, executor.map(again, entries)))
+    print(*missed, f"{len(entries) - len(missed)} of {len(entries)} faults are noticed.", sep="\n")
     return 1 if missed else 0
 
 
