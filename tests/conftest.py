@@ -20,7 +20,8 @@ AUTOGRADER = Path(__file__).parent / "autograder"
 def pytest_configure(config: pytest.Config) -> None:
     """Draw the same examples in every run, without a time limit for one: a busy machine must not fail a test.
 
-    `make test` draws 25 examples for a property, `make verify` 50, and `make weekly` 100 with a seed of its own.
+    `make test` draws 25 examples for a property, and `make weekly` 100 others with a seed of its own. `make verify`
+    draws 50 for the properties that are slow.
     """
     if config.getoption("--submission"):
         return  # the plugin for grading has its own, and loads hypothesis only where tests need it

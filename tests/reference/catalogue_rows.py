@@ -26,14 +26,12 @@ SPEED = math.sqrt(2 * G)  # m/s: after 1 m
 # The mean of v/h = 2/t over fall times that spread evenly around that of 1 m, 1/s, by integration.
 MEAN_SPEED = 2 / SPREAD * math.log((FALL + SPREAD / 2) / (FALL - SPREAD / 2))
 ROLLING = tuple(case.name for case in catalogue()["sliding-ball"].cases)
-SOME_ROLLING = ("μ=0.1,v=2", "μ=0.6,v=5")
 SLIDES = tuple(case.name for case in catalogue()["sliding-slab"].cases)
 SLOPES = tuple(case.name for case in catalogue()["incline"].cases)
 BOUNCES = tuple(case.name for case in catalogue()["dropped-ball"].cases)
 SOME_SLIDES = ("μ=0.4,v=2,heading=30°", "μ=0.7,v=1")  # the turned one, the shortest
 NEAREST_SLOPES = ("μ=0.1,θ=10°", "μ=1,θ=40°")  # of those that slide and those that hold, one with tan θ close to μ
 CORNERS = tuple(case.name for case in catalogue()["corner"].cases)
-SOME_CORNERS = ("e=0.5", "e=0.8,later=0.0005", "e=0.5,later=0.02")  # both planes at once, half a step apart, and later
 TIMESTEP = {"pybullet": 1e-3, "mujoco": 1e-4}
 engines = pytest.mark.parametrize("name", ["pybullet", "mujoco"])
 all_three = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import functools
 import os
+import sys
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -22,7 +23,7 @@ import pytest
 from labs.cli import jobs
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job, JobResult
-from reference.comparison.verdicts import Row
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import EngineNotInstalled
 from reference.pace import slowness
@@ -36,8 +37,8 @@ from reference.running.study import SCENARIOS, plan, run_job
 
 FOLDER = Path(__file__).parents[2] / ".live"
 """Beside the tests, and not in git."""
-MOST_BYTES = 256 * 2**20
-"""A whole report holds some 20 MB; nothing may be removed from the folder while tests read it."""
+SLOWNESS = FOLDER / "slowness"
+"""How many times as long the machine took as that of the allowances, when the runs were made."""
 _TEXTS = Texts()
 """What this process has read of the sources: they do not change while it runs."""
 
@@ -51,7 +52,7 @@ def planned() -> dict[tuple[str, str, str], Job]:
 
 def cache() -> Cache:
     """The results of the live runs."""
-    return Cache(FOLDER, most_bytes=MOST_BYTES)
+    return Cache(FOLDER)
 
 
 def result(family: str, engine: str, profile: str) -> JobResult:
@@ -91,18 +92,29 @@ def kept(job: AnyJob) -> Any:
     return cache().get(job, _TEXTS) if FOLDER.exists() else None
 
 
-def make() -> None:
-    """Run every job of a whole report that has not run with these sources, and say what that took."""
+def make() -> int:
+    """Run every job of a whole report that has not run with these sources, and say what that took.
+
+    Returns 1, and says why, if a run gave no usable answer: such a result is not kept.
+    """
     began, before = time.monotonic(), os.times()
-    jobs.run_work(list(planned().values()), SCENARIOS, None, cache())
-    jobs.run_work(published_jobs.plan((), engine_names()), published_jobs.PUBLISHED, None, cache())
+    results = [
+        *jobs.run_work(list(planned().values()), SCENARIOS, None, cache()),
+        *jobs.run_work(published_jobs.plan((), engine_names()), published_jobs.PUBLISHED, None, cache()),
+    ]
     stop_workers()  # their processor time is known when they have ended
-    used = sum(os.times()[:4]) - sum(before[:4])
+    used, here = sum(os.times()[:4]) - sum(before[:4]), slowness()
+    if not all(result.cached for result in results):
+        SLOWNESS.write_text(f"{here:.3f}", encoding="utf-8")
     print(
         f"The live runs took {time.monotonic() - began:.0f} s and {used:.0f} s of processor time. This machine takes"
-        f" {slowness():.2f} times as long as the one of the allowances."
+        f" {here:.2f} times as long as the one of the allowances."
     )
+    lost = [(result.job, row) for result in results for row in result.rows if row.verdict is Verdict.CRASHED]
+    for job, row in lost:
+        print(f"{job}, {row.case}: {row.note}")
+    return 1 if lost else 0
 
 
 if __name__ == "__main__":
-    make()
+    sys.exit(make())

@@ -38,7 +38,6 @@ def test_the_copied_line_leads_away_from_the_target(experiments):
     assert np.linalg.norm(places[-1]) == pytest.approx(6.8, abs=0.02)
 
 
-@pytest.mark.slow
 def test_bodies_from_three_sides_come_nearer(experiments, capsys):
     experiments.from_three_sides()
     ends = np.array(re.findall(r"ends at \((\S+), (\S+)\) m", capsys.readouterr().out), dtype=float)
@@ -150,7 +149,6 @@ def test_damped_walkers_arrive_earlier():
     assert tuned[0] - stock[0] == pytest.approx(0.9, abs=0.02)
 
 
-@pytest.mark.slow
 def test_a_lag_breaks_the_promise_and_a_longer_horizon_mends_most_of_it(experiments):
     near, far = (1e3 * experiments.ring(0.8, horizon) for horizon in (1.0, 3.0))
     assert near < -50

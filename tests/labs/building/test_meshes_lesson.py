@@ -152,7 +152,6 @@ def test_the_welded_arm_of_a_crane_needs_a_diagonal_for_each_row_that_slides():
         assert zero_energy_modes(spring_mesh(position, edges, 1.0), position) == 2 * along * across + across**2
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("integrator", "holding", "exploding"),
     [("Euler", 0.64, 0.652), ("implicit", 0.64, 0.652), ("implicitfast", 0.64, 0.652), ("RK4", 0.70, 1.0)],

@@ -48,10 +48,7 @@ def test_a_release_has_answers_of_closed_labs_and_what_an_open_lab_lends(monkeyp
 
 @pytest.mark.parametrize(
     "topic",
-    [
-        pytest.param(topic, marks=pytest.mark.slow if topic in ("impulse", "meshes") else pytest.mark.weekly)
-        for topic in lessons.lessons()
-    ],
+    [pytest.param(topic, marks=() if topic == "detection" else pytest.mark.slow) for topic in lessons.lessons()],
 )
 def test_what_a_lab_is_given_holds_no_answer_of_that_lab_or_of_a_later_one(topic):
     labs = lessons.lessons()

@@ -56,7 +56,6 @@ def test_the_friends_satellite_keeps_its_energy_and_turns_its_angular_momentum(e
     assert float(re.findall(r"energy is off by up to (\S+) %", said)[0]) < 1e-9
 
 
-@pytest.mark.slow
 def test_the_students_satellite_keeps_its_angular_momentum_and_gains_energy_with_the_step(experiments, capsys, text):
     said = printed(experiments.your_satellite, capsys)
     gains = [float(each) for each in re.findall(r"energy \+(\S+) %", said)]
@@ -107,7 +106,6 @@ def test_a_pushed_ball_rolls_if_the_floor_is_rough_enough(experiments, capsys):
     assert abs(slips[2]) < 1e-4
 
 
-@pytest.mark.slow
 def test_twice_the_looks_halve_the_depth_of_one_ball_and_backing_up_leaves_none(experiments, capsys):
     said = printed(experiments.one_ball, capsys)
     rows = re.findall(r"(after the fact|backed up), (\d+) looks: (\d+) mm deep, (\S+) % off", said)
@@ -132,7 +130,6 @@ def test_to_back_up_has_no_end_where_balls_come_to_rest(experiments):
     assert len(elastic) == 200  # balls that keep their energy never come to rest
 
 
-@pytest.mark.slow
 def test_after_the_fact_finishes_and_a_quarter_of_the_step_is_a_quarter_as_deep(experiments, capsys):
     said = printed(experiments.slide_three, capsys)
     first, second = (float(each) for each in re.findall(r"(\S+) mm deep", said))

@@ -18,7 +18,6 @@ from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.handwritten.scenario_kind import kind
 from reference.engines.profiles import counts
-from reference.pace import slowness
 from reference.published import jobs as published_jobs
 from reference.report.overview import verdict_line
 from reference.report.row_files import read_published, read_rows
@@ -85,7 +84,7 @@ def test_in_live_runs_every_counted_verdict_agrees(live_runs):
 
 @pytest.mark.slow
 def test_no_live_run_took_twice_its_allowance(live_runs):
-    assert too_long(live_runs, slowness()) == {}
+    assert too_long(live_runs, float(live.SLOWNESS.read_text(encoding="utf-8"))) == {}
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import live
 import pytest
-from catalogue_rows import CORNERS, SOME_CORNERS, SPEED, TIMESTEP, G, engines, fast_and_slow, job, restitution, slow
+from catalogue_rows import CORNERS, SPEED, TIMESTEP, G, engines, job, restitution
 
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
@@ -20,13 +20,12 @@ from reference.scene.settings import Settings
 
 pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
 
-SOME_ON_SLOPES = ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°")  # holds, slides, tips
 OTHER_FLAT = (("pybullet", "e=0"), ("mujoco", "e=0"), ("mujoco", "e=0.5"))
 
 # Walls
 
 
-@fast_and_slow("case", SOME_CORNERS, CORNERS)
+@pytest.mark.parametrize("case", CORNERS)
 @engines
 def test_a_ball_leaves_a_corner_with_minus_e_times_its_velocity(name, case, installed):
     installed(name)
@@ -39,7 +38,7 @@ def test_a_ball_leaves_a_corner_with_minus_e_times_its_velocity(name, case, inst
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-@fast_and_slow("case", ("e=0.8",), tuple(case.name for case in catalogue()["two-walls"].cases))
+@pytest.mark.parametrize("case", tuple(case.name for case in catalogue()["two-walls"].cases))
 @engines
 def test_a_ball_between_walls_keeps_e_to_the_fifth_of_its_speed(name, case, installed):
     installed(name)
@@ -68,9 +67,7 @@ def test_a_single_box_dropped_flat_stays_level(name, installed):
         assert family.quantity(quantity).measure(trajectory) < 1e-9  # rad, m: rounding
 
 
-@pytest.mark.parametrize(
-    ("name", "case"), [("pybullet", "e=0.5"), *(pytest.param(*each, marks=slow) for each in OTHER_FLAT)]
-)
+@pytest.mark.parametrize(("name", "case"), [("pybullet", "e=0.5"), *OTHER_FLAT])
 def test_a_box_dropped_flat_stays_level_and_rebounds_like_a_ball(name, case, installed):
     installed(name)
     found = {entry.quantity: entry for entry in job("box-flat", name, "tuned", case).rows}
@@ -82,7 +79,7 @@ def test_a_box_dropped_flat_stays_level_and_rebounds_like_a_ball(name, case, ins
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-@fast_and_slow("case", ("tilt=40°",), tuple(case.name for case in catalogue()["box-on-edge"].cases))
+@pytest.mark.parametrize("case", tuple(case.name for case in catalogue()["box-on-edge"].cases))
 @engines
 def test_a_box_dropped_on_an_edge_comes_to_rest_on_its_lowest_face(name, case, installed):
     installed(name)
@@ -94,11 +91,7 @@ def test_a_box_dropped_on_an_edge_comes_to_rest_on_its_lowest_face(name, case, i
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-@fast_and_slow(
-    "case",
-    SOME_ON_SLOPES,
-    tuple(case.name for case in catalogue()["tipping-box"].cases),
-)
+@pytest.mark.parametrize("case", tuple(case.name for case in catalogue()["tipping-box"].cases))
 @engines
 def test_a_box_on_a_slope_holds_slides_or_tips_as_theory_says(name, case, installed):
     installed(name)
@@ -121,7 +114,7 @@ def test_boxes_on_slopes_hold_slide_and_tip_three_times_each():
     assert outcomes == [0, 1, 2] * 3
 
 
-@pytest.mark.parametrize("count", [pytest.param(5, marks=slow), pytest.param(10, marks=slow)])
+@pytest.mark.parametrize("count", [5, 10])
 @engines
 def test_a_stack_stands_for_ten_seconds_to_within_a_millimetre(name, count, installed):
     installed(name)
@@ -175,7 +168,6 @@ def rows_by_hand(family: Family, case: Case, profile: str) -> list[Row]:
     return compare_case(family, moment, engine, profile, settings)[0]
 
 
-@pytest.mark.slow
 def test_by_hand_these_cases_run_in_the_world_alone_and_no_case_waits():
     engine, alone = load_engine("handwritten"), []
     for family in catalogue().values():

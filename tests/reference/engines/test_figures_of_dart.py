@@ -22,8 +22,6 @@ from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenar
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
-pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this kind
-
 G = GRAVITY
 FALL_SPEED = math.sqrt(2 * G)  # m/s, after 1 m
 SOFTNESS = 1e-5
@@ -102,7 +100,8 @@ def test_an_impact_loses_a_hundred_thousandth_of_the_change_of_speed(restitution
     assert kept == pytest.approx(restitution - (1 + restitution) * SOFTNESS, abs=1e-9)
 
 
-@pytest.mark.parametrize("restitution", [0.2, *(pytest.param(e, marks=pytest.mark.slow) for e in (0.5, 0.8, 1.0))])
+@pytest.mark.parametrize("restitution", [0.2, 0.5, 0.8, 1.0])
+@pytest.mark.slow
 def test_the_mean_rebound_differs_by_half_a_step_and_its_weight(restitution):
     dt, drops, apexes = 1e-3, 10, []
     for phase in range(drops):
@@ -124,6 +123,7 @@ def test_no_rebound_is_faster_than_a_hundred_metres_a_second():
     assert drop(1.0, 150.0).velocity("ball")[-1, 2] == pytest.approx(100 - 250 * SOFTNESS, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_a_lively_ball_never_rests_at_a_millisecond():
     # e (v + g dt) = v has the solution e g dt/(1 − e); above 0.1 m/s that is no rest.
     steady = 0.95 * G * 1e-3 / 0.05
@@ -135,6 +135,7 @@ def test_a_lively_ball_never_rests_at_a_millisecond():
     assert np.abs(tuned.velocity("ball")[-1000:, 2]).max() < 1e-3
 
 
+@pytest.mark.slow
 def test_overlap_is_recovered_at_a_millimetre_a_second_without_speed():
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1 - 2e-3))
     scenario = Scenario("sunk in", (FLOOR, ball), (Pair("ball", "floor"),), 1.0)
@@ -187,6 +188,7 @@ def slab_at_thirty_degrees(solver: str, timestep: float = 1e-3) -> tuple[float, 
     return float(np.hypot(*moved)), float(moved @ [math.sin(math.radians(30)), -math.cos(math.radians(30))])
 
 
+@pytest.mark.slow
 def test_the_default_solvers_friction_pyramid_brakes_each_axis_fully():
     way, aside = slab_at_thirty_degrees("dantzig")
     # Each component stops for itself, after cos² and sin² of the way; v dt/2 of 0.5 m is 0.2 %.
@@ -196,22 +198,26 @@ def test_the_default_solvers_friction_pyramid_brakes_each_axis_fully():
 
 
 @pytest.mark.parametrize("solver", ["nsgs", "fbf"])
+@pytest.mark.slow
 def test_the_coulomb_solvers_friction_cone_keeps_a_slab_on_its_line(solver):
     way, aside = slab_at_thirty_degrees(solver)
     assert way == pytest.approx(1 - 2.0 * 1e-3 / 2 / truth.stopping_distance(2.0, 0.4, G), abs=1e-5)  # − v₀ dt/2
     assert abs(aside) < 1e-5
 
 
+@pytest.mark.slow
 def test_a_ball_rolls_with_five_sevenths_of_its_speed():
     found = measured("sliding-ball", "μ=0.3,v=2", "rolling_speed")
     assert found == pytest.approx(10 / 7, rel=1e-6)  # the softness of each step's friction
 
 
+@pytest.mark.slow
 def test_a_slab_on_a_slope_that_holds_creeps_less_than_a_micrometre():
     assert abs(measured("incline", "μ=1,θ=40°", "way")) < 1e-6
 
 
 @pytest.mark.parametrize(("changes", "left"), [({}, 0.5e-3), ({"sleep": True}, 0.0)])
+@pytest.mark.slow
 def test_a_slow_body_that_may_sleep_is_frozen_after_half_a_second(changes, left):
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1), velocity=(0.5e-3, 0.0, 0.0))
     trajectory = run(Scenario("creeping", (FLOOR, ball), (Pair("ball", "floor"),), 1.0), **changes)
@@ -229,6 +235,7 @@ def cradle(solver: str, reverse: bool) -> np.ndarray:
     return found[::-1] if reverse else found
 
 
+@pytest.mark.slow
 def test_the_default_solver_breaks_off_for_one_order_of_the_bodies():
     exact = np.array([-0.6, 0.4, 0.4, 0.4, 0.4])
     # Its stand-in sweeps 30 times: 4e-4 are left. Otherwise it is the softness, 1e-5, in each of four contacts.
@@ -238,6 +245,7 @@ def test_the_default_solver_breaks_off_for_one_order_of_the_bodies():
         assert np.abs(cradle("nsgs", reverse) - exact).max() < 6e-5
 
 
+@pytest.mark.slow
 def test_a_stack_falls_into_place_and_stands():
     family = catalogue()["stack"]
     trajectory = run(replace(family.case("boxes=5").scenarios[0], duration=0.3))

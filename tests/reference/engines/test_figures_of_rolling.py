@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from catalogue_rows import ROLLING, SOME_ROLLING, SPEED, TIMESTEP, G, engines, fast_and_slow, job
+from catalogue_rows import ROLLING, SPEED, TIMESTEP, G, engines, job
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.compare import compare_case
@@ -19,10 +19,9 @@ pytestmark = pytest.mark.slow  # `make test` has test_figures_of_slides of this 
 
 
 ON_SLOPES = tuple(case.name for case in catalogue()["rolling-ball"].cases)
-SOME_ON_SLOPES = ("μ=0.1,θ=10°", "μ=0.1,θ=20°", "μ=0.3,θ=40°")  # rolls, just slips, just rolls
 
 
-@fast_and_slow("case", SOME_ROLLING, ROLLING)
+@pytest.mark.parametrize("case", ROLLING)
 @engines
 def test_an_engines_sliding_ball_rolls_with_five_sevenths_of_its_speed(name, case, installed):
     installed(name)
@@ -44,7 +43,7 @@ def test_an_engines_sliding_ball_rolls_with_five_sevenths_of_its_speed(name, cas
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-@fast_and_slow("case", SOME_ON_SLOPES, ON_SLOPES)
+@pytest.mark.parametrize("case", ON_SLOPES)
 @engines
 def test_an_engines_ball_on_a_slope_rolls_or_slips_as_theory_says(name, case, installed):
     installed(name)
@@ -72,10 +71,9 @@ def test_the_balls_on_slopes_include_rolling_and_slipping_ones():
 
 
 SPINNING = tuple(case.name for case in catalogue()["spinning-ball"].cases)
-SOME_SPINNING = ("ω=20,μ=0.3,e=0.5", "ω=5,μ=0.1,e=0.8", "ω=60,μ=0.1,e=0.5")  # two that grip, and one that slips
 
 
-@fast_and_slow("case", SOME_SPINNING, SPINNING)
+@pytest.mark.parametrize("case", SPINNING)
 @engines
 def test_an_engines_spinning_ball_grips_or_slips_as_theory_says(name, case, installed):
     installed(name)
@@ -125,9 +123,3 @@ def test_the_spinning_balls_include_gripping_and_slipping_ones():
     cases = [case.parameters for case in catalogue()["spinning-ball"].cases]
     gripping = [2 / 7 * 0.1 * c["spin"] <= c["friction"] * (1 + c["restitution"]) * SPEED for c in cases]
     assert (len(gripping), sum(gripping)) == (12, 10)
-
-
-def test_every_case_named_here_is_in_the_catalogue():
-    assert set(SOME_ON_SLOPES) <= set(ON_SLOPES)
-    assert set(SOME_SPINNING) <= set(SPINNING)
-    assert set(SOME_ROLLING) <= set(ROLLING)

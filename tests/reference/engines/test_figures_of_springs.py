@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from catalogue_rows import rebound_of_a_tenth, slow
+from catalogue_rows import rebound_of_a_tenth
 
 from reference import truth
 from reference.catalogue.scenarios.bouncing_ball import falling_ball
@@ -75,7 +75,7 @@ def test_a_spring_of_the_bodies_damps_as_implicit_euler_does(installed):
     assert f"{lowest:.5f}, {fastest:.5f}" == "-0.42918, 4.31416"  # published: −0.4296, 4.3151
 
 
-@pytest.mark.parametrize("e", [pytest.param(0.5, marks=slow), 0.95])
+@pytest.mark.parametrize("e", [0.5, 0.95])
 def test_implicit_euler_rebounds_as_with_half_a_step_more_damping(e, installed):
     installed("pybullet")
     found = rebound_of_a_tenth("pybullet", "spring", f"e={e}", spring_of="bodies").measured / e**2
@@ -87,15 +87,12 @@ def test_implicit_euler_rebounds_as_with_half_a_step_more_damping(e, installed):
 
 
 # Of the rebound: half a scatter of 4.3, 1.4, 0.44 and 0.11 % in a mean of eleven, which is not spread as evenly as 107.
-@pytest.mark.parametrize(
-    ("e", "off"), [pytest.param(0.2, 0.02, marks=slow), (0.5, 0.005), pytest.param(0.8, 2e-3, marks=slow), (1.0, 1e-4)]
-)
+@pytest.mark.parametrize(("e", "off"), [(0.2, 0.02), (0.5, 0.005), (0.8, 2e-3), (1.0, 1e-4)])
 def test_the_spring_profile_rebounds_to_e_squared(e, off, installed):
     installed("pybullet")
     assert rebound_of_a_tenth("pybullet", "spring", f"e={e:g}").measured / e**2 == pytest.approx(1, abs=off)
 
 
-@slow
 def test_the_error_of_the_spring_profile_is_of_first_order(installed):
     installed("pybullet")
     timesteps = [2e-4, 1e-4, 5e-5]

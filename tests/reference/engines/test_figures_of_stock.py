@@ -11,11 +11,8 @@ from catalogue_rows import (
     CORNERS,
     ROLLING,
     SLIDES,
-    SOME_CORNERS,
-    SOME_ROLLING,
     G,
     engines,
-    fast_and_slow,
     job,
     rebound_of_a_tenth,
     row,
@@ -66,7 +63,7 @@ def test_stock_mujoco_slides_right_along_an_axis_of_its_pyramid(installed):
     assert found.measured == pytest.approx(2**2 / (2 * 0.4 * G) - 2 * 2e-3 / 2, rel=1e-3)  # v0 dt/2 short, to 0.1 %
 
 
-@fast_and_slow("case", ("μ=0.4,v=5",), ("μ=0.1,v=2", "μ=0.1,v=5", "μ=0.2,v=5", "μ=0.4,v=5"))
+@pytest.mark.parametrize("case", ["μ=0.1,v=2", "μ=0.1,v=5", "μ=0.2,v=5", "μ=0.4,v=5"])
 def test_stock_pybullet_shortens_long_slides_by_more_than_a_twentieth(case, installed):
     installed("pybullet")
     found = row("sliding-slab", "pybullet", "stock", case, "stopping_distance")
@@ -83,7 +80,7 @@ def test_stock_mujoco_creeps_down_a_slope_that_holds(installed):
 # What stock settings make of all this
 
 
-@fast_and_slow("case", SOME_ROLLING, ROLLING)
+@pytest.mark.parametrize("case", ROLLING)
 def test_stock_pybullet_rolls_too_slowly_by_seven_to_forty_three_percent(case, installed):
     installed("pybullet")
     found = row("sliding-ball", "pybullet", "stock", case, "rolling_speed")
@@ -91,7 +88,7 @@ def test_stock_pybullet_rolls_too_slowly_by_seven_to_forty_three_percent(case, i
     assert found.verdict is Verdict.FAIL
 
 
-@fast_and_slow("case", SOME_ROLLING, ROLLING)
+@pytest.mark.parametrize("case", ROLLING)
 def test_stock_mujocos_ball_hops_late_into_nearly_the_right_rolling(case, installed):
     installed("mujoco")
     found = {entry.quantity: entry for entry in job("sliding-ball", "mujoco", "stock", case).rows}
@@ -112,7 +109,7 @@ def test_stock_engines_lose_the_speed_that_a_fast_spin_should_give(installed):
         )
 
 
-@fast_and_slow("case", SOME_CORNERS, CORNERS)
+@pytest.mark.parametrize("case", CORNERS)
 @engines
 def test_stock_settings_lose_speed_in_a_corner(name, case, installed):
     installed(name)
@@ -140,7 +137,6 @@ def test_stock_mujocos_boxes_creep_by_millimetres_where_they_should_hold(install
         assert 1e-3 < way.measured < 3e-3  # m
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("name", "quantity", "least"), [("pybullet", "drift", 5e-3), ("mujoco", "height", 1.5e-3)])
 def test_stock_stacks_stand_but_drift_or_sink_by_millimetres(name, quantity, least, installed):
     installed(name)

@@ -20,7 +20,8 @@ from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan
 from reference.recording import checksums, sensitivity
-from reference.recording.files import FOLDER, never_recorded
+from reference.recording.entries import Entry, case_of
+from reference.recording.files import FOLDER, content_of, never_recorded, tracks_of
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
 from reference.recording.reading import recall, replay
 from reference.running.study import run_job
@@ -108,6 +109,19 @@ def test_every_case_grid_point_and_replay_is_recorded_and_up_to_date(engine):
 def test_mujocos_slabs_are_as_predicted_at_ten_times_their_timestep(family):
     found = recall(Job(family, "mujoco", "tuned", changes=(("timestep", 1e-3),), grid=True))
     assert {row.verdict for row in found.rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_every_profile_has_the_curve_that_a_report_plots(engine):
+    for family in catalogue().values():
+        if not is_recorded(family.name, engine) or (engine, family.name) in NOT_EXPRESSED:
+            continue
+        tracks, _ = tracks_of(engine, family.name)
+        drawn = {(profile, case_of(key)) for (profile, key), track in tracks.items() if track.curve}
+        entries = content_of(engine, family.name)["profiles"]
+        for profile in family.profiles(load_engine(engine)):
+            expressed = Entry.read(entries[profile]["entries"][family.curve.case]).verdict is None
+            assert not expressed or (profile, family.curve.case) in drawn, (family.name, profile)
 
 
 def test_the_smallest_faults_are_those_that_were_kept():

@@ -202,7 +202,7 @@ def job(tmp_path_factory, packages):
     return graded
 
 
-@pytest.mark.weekly
+@pytest.mark.slow
 def test_prairielearn_grades_the_files_of_a_student(job):
     wrong = job(notebook(REVERSED))
     assert 0 <= wrong["score"] < 1
@@ -213,7 +213,7 @@ def test_prairielearn_grades_the_files_of_a_student(job):
 # Classroom 50
 
 
-@pytest.mark.weekly
+@pytest.mark.slow
 def test_classroom_50_grades_a_repository_that_is_full_of_traps(tmp_path, packages):
     bundle, repository = exported("classroom50", tmp_path / "impulse"), tmp_path / "repository"
     names = [path.relative_to(bundle).as_posix() for path in bundle.rglob("*")]

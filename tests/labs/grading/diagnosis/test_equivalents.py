@@ -137,6 +137,11 @@ def test_a_solution_in_other_words_is_right(name):
     is_right(name, tuple(kind for kind in KINDS if kind not in ("sums", "single precision")))
 
 
+@pytest.mark.slow
+def test_a_solution_with_sums_for_scalar_products_is_right():
+    is_right("normal_velocity", ("sums",))
+
+
 @pytest.mark.weekly
 @pytest.mark.parametrize("name", NAMES)
 def test_a_solution_in_half_of_the_other_wordings_is_right(name):
