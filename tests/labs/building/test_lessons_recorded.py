@@ -93,7 +93,8 @@ def test_every_lesson_runs_cases_but_the_one_that_steers_bodies_itself():
 
 
 @pytest.mark.parametrize("topic", TOPICS)
-def test_without_engines_every_run_of_a_lesson_has_all_its_numbers(topic, asked, no_engine):
+def test_without_engines_every_run_of_a_lesson_has_all_its_numbers(topic, asked, no_engine, monkeypatch):
+    monkeypatch.setattr(case_runs, "run_all", lambda jobs, *_: (recall(job) or live_run(job) for job in jobs))
     for call, runs in asked(topic).items():
         assert runs, call
         for run in runs:

@@ -1,7 +1,7 @@
 """What every engine promises, whatever it is and whatever it runs.
 
-One test is one run of an engine, and every promise that concerns it: they are the functions in
-`tests/reference/promises/`. Below are the promises that no single run can keep.
+One test is one run of an engine with every promise that concerns the run. The promises are the functions in
+`tests/reference/promises/`. Below are those that no single run can keep.
 """
 
 from __future__ import annotations
