@@ -20,7 +20,7 @@ AUTOGRADER = Path(__file__).parent / "autograder"
 def pytest_configure(config: pytest.Config) -> None:
     """Draw the same examples in every run, without a time limit for one: a busy machine must not fail a test.
 
-    `make test` draws 25 examples for a property, and `make weekly` 50 others with a seed of its own. `make verify`
+    `make test` draws 15 examples for a property, and `make weekly` 50 others with a seed of its own. `make verify`
     draws 50 for the properties that are slow.
     """
     if config.getoption("--submission"):
@@ -28,7 +28,7 @@ def pytest_configure(config: pytest.Config) -> None:
     from hypothesis import settings  # noqa: PLC0415
 
     draw_without_constants_of_modules()
-    lab = settings(derandomize=True, deadline=None, max_examples=25)
+    lab = settings(derandomize=True, deadline=None, max_examples=15)
     settings.register_profile("lab", lab)
     settings.register_profile("more", lab, max_examples=50)
     settings.register_profile("others", lab, max_examples=50, derandomize=False, database=None)

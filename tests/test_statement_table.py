@@ -13,6 +13,8 @@ import pytest
 from reference.catalogue.scenarios import catalogue
 from reference.lecture import STATEMENTS
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[1]
 
 
@@ -28,7 +30,6 @@ def table() -> ModuleType:
 each_statement = pytest.mark.parametrize("entry", STATEMENTS, ids=lambda entry: f"{entry.number} {entry.title}")
 
 
-@pytest.mark.slow
 def test_the_page_is_what_the_code_writes(table):
     assert table.PAGE.read_text(encoding="utf-8") == table.page(), "run python docs/statement_table.py"
 

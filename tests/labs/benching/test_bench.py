@@ -201,6 +201,7 @@ def test_a_program_that_fails_is_reported_with_its_output(tmp_path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="memory is counted on Linux alone")
+@pytest.mark.slow
 def test_memory_is_summed_over_all_processes(tmp_path):
     grows = "import time; kept = bytearray(60_000_000); time.sleep(0.3)"
     parent = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {grows!r}])"

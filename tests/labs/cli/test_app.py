@@ -45,6 +45,7 @@ def test_the_program_prints_its_version():
 
 
 @pytest.mark.usefixtures("one_worker")
+@pytest.mark.slow
 def test_an_ascii_console_gets_utf_8_and_progress_goes_to_stderr(monkeypatch):
     written = {name: io.BytesIO() for name in ("stdout", "stderr")}
     for name, stream in written.items():

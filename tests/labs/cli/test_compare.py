@@ -93,6 +93,7 @@ def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
     assert "An odd one (tuned) crashed: no answer within 1 s" in ended.text
 
 
+@pytest.mark.slow
 def test_a_tuned_failure_counts_for_more_than_a_crash(odd, homework):
     ended = collisions("compare", *EXACT, "--engine", odd(RAISE), "--implementation", homework(WRONG))
     assert ended.code == 1

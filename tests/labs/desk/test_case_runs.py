@@ -101,6 +101,7 @@ def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells,
     assert "· theory has no number" in str(lab.shown[-1])
 
 
+@pytest.mark.slow
 def test_a_run_at_parameters_is_named_after_them(lab, installed):
     installed("pybullet")
     lab.run("dropped-ball", restitution=0.37, quantity="rebound", engines=("pybullet",))
@@ -125,6 +126,7 @@ def test_a_run_that_is_refused_prints_one_line(lab, capsys, scenario, named, wor
     assert words in said(capsys, lab.run, scenario, **named)
 
 
+@pytest.mark.slow
 def test_a_sweep_shows_a_picture_and_a_table_of_every_value(lab, cells, monkeypatch):
     slid = []
     monkeypatch.setattr(sweeps, "slide", slid.append)

@@ -29,6 +29,7 @@ def test_convex_pieces_fill_the_bowl_and_not_its_hull():
 
 
 @pytest.mark.parametrize(("stock", "title"), [(False, "MuJoCo*"), (True, "MuJoCo*, stock")])
+@pytest.mark.slow
 def test_replay_has_your_ball_beside_the_engines(stock, title):
     block = fall(HULL)
     places = np.linspace(block.start, block.start - [0, 0, 0.2], 1001)

@@ -158,6 +158,7 @@ def test_mujoco_rebounds_within_a_percent_of_e_squared(case, installed):
         *(pytest.param(case, 1e-3, marks=weekly) for case in ("e=0.5", "e=0.8", "e=0.95")),
     ],
 )
+@pytest.mark.slow
 def test_single_pybullet_drops_scatter_by_e_times_one_minus_e_of_v_dt(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)

@@ -246,6 +246,7 @@ def test_a_fingerprint_changes_with_everything_a_number_depends_on():
     assert fingerprint(replace(case, name="other"), settings) == prints[0]
 
 
+@pytest.mark.slow
 def test_a_recording_answers_for_the_labs_own_steering_and_for_no_other():
     job = Job("antipodal-circle", "mujoco", "tuned")
     assert {row.verdict for row in recall(job).rows} == {Verdict.PASS, Verdict.SHOWN}
@@ -311,6 +312,7 @@ def cradle(tmp_path_factory):
     return folder, results
 
 
+@pytest.mark.slow
 def test_every_point_of_a_recorded_grid_returns_the_same_rows(cradle):
     folder, results = cradle
     for result in results:
@@ -323,6 +325,7 @@ def test_every_point_of_a_recorded_grid_returns_the_same_rows(cradle):
         assert steps >= {None, 2e-3}
 
 
+@pytest.mark.slow
 def test_parameters_are_found_at_grid_points_and_not_between_them(cradle):
     folder, _ = cradle
     job = Job("cradle", "handwritten", "step", changes=(("timestep", 2e-3),), at=(("balls", 4.0), ("gap", 1e-4)))
@@ -335,6 +338,7 @@ def test_parameters_are_found_at_grid_points_and_not_between_them(cradle):
     assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
 
 
+@pytest.mark.slow
 def test_a_recorded_case_is_found_at_its_grid_timestep(cradle):
     folder, _ = cradle
     rows = recall(Job("cradle", "handwritten", "exact", changes=(("timestep", 2e-3),)), folder).rows
@@ -347,6 +351,7 @@ def test_a_recorded_case_is_found_at_its_grid_timestep(cradle):
     assert [track.packed for track in found.poses] == [track.packed for track in live.poses]
 
 
+@pytest.mark.slow
 def test_a_timestep_without_recording_is_refused_with_the_recorded_ones(cradle):
     folder, _ = cradle
     job = Job("cradle", "handwritten", "exact", ("3 touching",), changes=(("timestep", 3e-3),))
@@ -359,6 +364,7 @@ def test_a_timestep_without_recording_is_refused_with_the_recorded_ones(cradle):
     assert row == f"{absent}, and with policy=x, timestep=0.003 nothing was recorded"
 
 
+@pytest.mark.slow
 def test_a_recording_of_changed_scenarios_is_stale_and_says_why(cradle, monkeypatch):
     folder, _ = cradle
     family = catalogue()["cradle"]
@@ -373,6 +379,7 @@ def test_a_recording_of_changed_scenarios_is_stale_and_says_why(cradle, monkeypa
     assert why_stale(family, "handwritten", folder).endswith("here is 0.0")
 
 
+@pytest.mark.slow
 def test_the_same_results_make_the_same_files(cradle, tmp_path):
     folder, results = cradle
     write(results, tmp_path, DAY)
@@ -383,6 +390,7 @@ def test_the_same_results_make_the_same_files(cradle, tmp_path):
 # Poses
 
 
+@pytest.mark.slow
 def test_a_recorded_replay_agrees_with_the_run_itself(cradle):
     folder, _ = cradle
     engine, case = load_engine("handwritten"), catalogue()["cradle"].case("5, 1 mm apart")
@@ -395,6 +403,7 @@ def test_a_recorded_replay_agrees_with_the_run_itself(cradle):
         assert (found.title, found.recording[:15]) == ("hand-written*", "* hand-written ")
 
 
+@pytest.mark.slow
 def test_a_recorded_result_has_the_same_poses_as_a_live_one(cradle):
     folder, results = cradle
     for result in results[:2]:  # the cases, then the grid
@@ -403,6 +412,7 @@ def test_a_recorded_result_has_the_same_poses_as_a_live_one(cradle):
         assert recall(replace(result.job, with_poses=False), folder).poses == ()
 
 
+@pytest.mark.slow
 def test_a_replay_that_is_missing_or_stale_is_refused(cradle, monkeypatch):
     folder, _ = cradle
     job = Job("cradle", "handwritten", "exact")

@@ -18,6 +18,8 @@ from reference.report.row_files import read_rows, rows_json
 from reference.running.jobs import run_all, run_one
 from reference.running.study import SCENARIOS, run_job
 
+pytestmark = pytest.mark.slow
+
 GOOD = Job("ball-to-rest", "handwritten", "exact", ("e=0.5",))
 """Of the same family as the odd ones, so that its line is the first of their section."""
 MESSAGE = "<script>alert('moon')</script> & co"

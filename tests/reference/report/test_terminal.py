@@ -250,6 +250,7 @@ def test_the_catalogue_fits_one_screen_of_marks():
         assert lines[place].startswith(name)
 
 
+@pytest.mark.slow
 def test_a_narrow_screen_has_what_counts_in_a_table_of_its_own():
     lines = of_catalogue(Verdict.PASS).splitlines()
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]

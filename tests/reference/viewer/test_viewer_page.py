@@ -229,6 +229,7 @@ def test_a_report_without_poses_has_no_replay_script(results):
     assert "replay" not in text
 
 
+@pytest.mark.slow
 def test_a_report_with_replays_is_reproducible_to_the_byte(results, tmp_path):
     for name in ("one", "two"):
         (tmp_path / name).mkdir()

@@ -158,6 +158,7 @@ def test_tests_leave_no_file_descriptor_open(of):
 
 
 @linux
+@pytest.mark.slow
 def test_closing_a_submission_ends_all_its_processes():
     text = "import os, time\ndef process(): return os.getpid()\ndef busy(): time.sleep(60)"
     with Grader(Limits(call=0.2)) as own:

@@ -161,6 +161,7 @@ def test_a_test_that_runs_out_of_time_blames_no_function(of, hasty):
     assert not remote.slow
 
 
+@pytest.mark.slow
 def test_many_calls_in_time_cannot_exceed_the_limit_of_their_test(of, hasty):
     with (
         of("import time\ndef f(): time.sleep(0.3)").fresh() as call,
