@@ -28,6 +28,7 @@ Y, UP = np.eye(3)[1:]
 
 
 @pytest.mark.statement(24, oracle="P4: LAMMPS' sphere that begins to roll")
+@pytest.mark.slow
 def test_a_sphere_slides_spins_up_and_rolls_as_in_lammps(as_published):
     as_published("P4")
 

@@ -12,10 +12,8 @@ OPTIONS = re.search(r"-m pytest -n auto (.*)", MAKEFILE.read_text(encoding="utf-
 """With which `make test` spreads tests over processes."""
 
 
-ILLEGAL, *OTHERS = "os.kill(os.getpid(), signal.SIGILL)", "os._exit(3)", "ctypes.string_at(0)"
-
-
-@pytest.mark.parametrize("death", [ILLEGAL, *(pytest.param(death, marks=pytest.mark.slow) for death in OTHERS)])
+@pytest.mark.slow
+@pytest.mark.parametrize("death", ["os.kill(os.getpid(), signal.SIGILL)", "os._exit(3)", "ctypes.string_at(0)"])
 def test_a_worker_that_dies_ends_the_run_and_the_test_is_named(run_pytest, death):
     dying = f"import ctypes, os, signal\ndef test_dies():\n    {death}\n"
     ended = run_pytest({"test_dies.py": dying, "test_lives.py": "def test_lives(): pass\n"}, "-n", "2", *OPTIONS)

@@ -169,6 +169,7 @@ def test_a_second_run_comes_from_the_cache_and_prints_the_same():
     assert first.output == second.output == fresh.output
 
 
+@pytest.mark.slow
 def test_a_comparison_takes_what_the_cache_has_and_runs_the_rest():
     collisions("compare", *EXACT)
     assert re.search(r"3 runs, 1 of them from the cache", collisions("compare", *QUICK, *METHODS).errors)

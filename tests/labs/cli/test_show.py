@@ -121,6 +121,7 @@ def test_question_plot_table_and_lesson_come_in_this_order():
     assert "run" not in said.lines[-1]
 
 
+@pytest.mark.slow
 def test_a_demonstration_shown_again_runs_nothing():
     arguments = ("show", "stop", "--engine", "handwritten", "--no-plot")
     first, second = collisions(*arguments), collisions(*arguments)

@@ -24,6 +24,7 @@ ROOT = Path(__file__).parents[3]
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the nursery needs Linux")
 
 
+@pytest.mark.slow
 def test_a_silent_nursery_is_killed_with_all_its_processes():
     with Grader(Limits(call=2.0)) as own:
         own.host._control.settimeout(0.5)  # type: ignore[attr-defined]

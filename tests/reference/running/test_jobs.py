@@ -105,6 +105,7 @@ def test_a_process_that_dies_in_a_study_leaves_the_cases_their_numbers_and_a_row
     assert (result.job, result.convergence, result.version != "") == (job, None, True)
 
 
+@pytest.mark.slow
 def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
     bad = Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(1)"), "tuned", ("e=0.5",))
     assert run_one(bad, SCENARIOS, ENOUGH).rows[0].verdict is Verdict.CRASHED
@@ -188,6 +189,7 @@ def test_leaving_early_waits_for_no_job_and_leaves_no_worker(error, tmp_path):
     assert not alive(pid)
 
 
+@pytest.mark.slow
 def test_a_worker_that_starts_during_a_stop_is_stopped_too(tmp_path, monkeypatch):
     job, begun = asleep(tmp_path)
     take, stop, stopping = isolate._take, isolate.stop_workers, threading.Event()

@@ -47,6 +47,7 @@ def test_a_job_says_what_ran_and_how_long():
     assert {row.verdict for row in result.rows} == {Verdict.PASS}
 
 
+@pytest.mark.slow
 def test_a_job_has_a_curve_for_the_plotted_case_or_on_request(monkeypatch):
     curve, single = DROPPED.curve, [replace(case, scenarios=case.scenarios[:1]) for case in DROPPED.cases]
     monkeypatch.setitem(catalogue(), "dropped-ball", replace(DROPPED, cases=tuple(single)))

@@ -21,6 +21,7 @@ def rendered(text: str) -> list[Token]:
 
 
 @given(st.text() | st.text("`~#>-+*=1.)|[]()!<&$\\ \t\n"))
+@pytest.mark.slow
 def test_markdown_shows_a_students_words_in_a_block_and_nowhere_else(words):
     tokens = rendered(markdown([Paragraph("Before 1."), Paragraph(words, True), Paragraph("3. After")]))
     kinds = [token.type for token in tokens if not token.type.startswith("paragraph")]

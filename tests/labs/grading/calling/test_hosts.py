@@ -112,6 +112,7 @@ def test_no_process_outlives_its_test_even_if_it_may_fork():
 
 
 @linux
+@pytest.mark.slow
 def test_a_grader_survives_its_nursery_but_a_nursery_not_its_grader():
     with Grader(PATIENT) as own:
         remote = Remote(Submission("lab.py", "import os\ndef parent(): return os.getppid()"), own)

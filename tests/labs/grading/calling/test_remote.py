@@ -154,6 +154,7 @@ def test_a_function_that_was_too_slow_gets_less_time_afterwards(of, hasty):
         assert call("f", False) == 1
 
 
+@pytest.mark.slow
 def test_a_test_that_runs_out_of_time_blames_no_function(of, hasty):
     remote = of("import time\ndef f(): time.sleep(0.3)")
     with remote.fresh() as call, pytest.raises(OutOfTime, match=r"time is up|used up"):
