@@ -49,10 +49,10 @@ live: $(READY)   ## run every scenario in every engine once, for the slow checks
 	$(BIN)/python tests/suite/live.py
 
 verify: lint live ## the slow checks: style, types, the whole catalogue, the whole bank of mistakes, the notebooks
-	$(PYTEST) -m 'slow and not weekly' --hypothesis-profile=more --timeout=1200 --cpu-allowed=550 $(ARGS)
+	$(PYTEST) -m 'slow and not weekly' --hypothesis-profile=more --timeout=1200 --cpu-allowed=600 $(ARGS)
 
 weekly: live     ## the rest: more points of the grids, other seeds, other people's graders and platforms, faults in our code
-	$(PYTEST) -m weekly --timeout=2400 --cpu-allowed=350 $(ARGS)
+	$(PYTEST) -m weekly --timeout=2400 --cpu-allowed=650 $(ARGS)
 	$(PYTEST) -m 'hypothesis and not weekly' --hypothesis-profile=others --hypothesis-seed=41 $(ARGS)
 	$(BIN)/python tests/faults/study.py run
 
