@@ -157,7 +157,7 @@ def _defined_in(text: str) -> Iterator[str]:
 
 
 def hostile(root: Path) -> Iterator[Kept]:
-    """Return the attacks on the grader, and the files that attack whoever reads them."""
+    """Return the attacks on the grader, and the files that attack their reader."""
     tests = root / "tests/labs/grading"
     for path in sorted((tests / "hostile").glob("*.py")):
         text = path.read_text(encoding="utf-8")

@@ -154,7 +154,7 @@ def test_mujoco_rebounds_within_a_percent_of_e_squared(case, installed):
     # The scatter is a product: e is varied at one timestep and the timestep at one e, of which `make verify` has a run.
     [
         ("e=0.2", 1e-3),
-        pytest.param("e=0.2", 5e-4, marks=slow),
+        ("e=0.2", 5e-4),
         *(pytest.param(case, 1e-3, marks=weekly) for case in ("e=0.5", "e=0.8", "e=0.95")),
     ],
 )
@@ -173,8 +173,8 @@ def test_single_pybullet_drops_scatter_by_e_times_one_minus_e_of_v_dt(case, time
     # The bias is a product as well, and what it may be off is a share of it at any timestep.
     [
         ("e=0.2", 2e-3),
-        pytest.param("e=0.2", 1e-3, marks=slow),
-        pytest.param("e=0.2", 5e-4, marks=slow),
+        ("e=0.2", 1e-3),
+        ("e=0.2", 5e-4),
         *(pytest.param(case, 2e-3, marks=weekly) for case in BOUNCES[2:]),
     ],
 )
@@ -192,7 +192,7 @@ def test_pybullet_without_overlap_recovery_rebounds_low_by_half_a_step(case, tim
     # Of two terms the first goes with the timestep, so a step of 0.1 ms shows the second: `share` has two branches.
     [
         ("e=0.8", 1e-3),
-        pytest.param("e=0.8", 1e-4, marks=slow),
+        ("e=0.8", 1e-4),
         pytest.param("e=0.95", 1e-4, marks=weekly),
         *(pytest.param(case, 1e-3, marks=weekly) for case in BOUNCES[1:] if case != "e=0.8"),
     ],
