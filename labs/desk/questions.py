@@ -8,6 +8,7 @@ from types import SimpleNamespace
 from labs.assessment import seeded
 from labs.desk.refusals import errors_in_words
 from labs.grading.wrapping import folded
+from reference.errors import InvalidInput
 
 
 class Questions:
@@ -39,7 +40,7 @@ class Questions:
 
         Write the input in numbers, without names: it is read from the notebook when the lab is marked.
         """
-        from labs.assessment import exposures  # noqa: PLC0415
+        from labs.assessment import exposures, written_inputs  # noqa: PLC0415
         from labs.desk import student_code  # noqa: PLC0415
 
         suspect = exposures.suspect(self._begun(), key)
@@ -50,6 +51,9 @@ class Questions:
         if yours is None:
             _say(f"Write {suspect.function} first: your colleague's is compared with it.")
             return
+        cells = student_code.executed_cells()
+        if cells and list(arguments) not in written_inputs.inputs_in(cells).get(key, []):
+            raise InvalidInput(written_inputs.IN_NUMBERS)
         found = exposures.tried(suspect, arguments, yours)
         exposed = "✓ Exposed" if found.exposed else "✗ Not exposed"
         _say(f"{exposed}, if your {suspect.function} is right. {found.said}.")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, not_negative, number, positive, unit, vector
 from reference.arrays import Array
 
 
@@ -60,7 +61,7 @@ def _one_after_another(program: Callable[..., Any]) -> str:
         place, speed = np.array(places), np.array(speeds)
         expected = _step(place, speed, 0.1, 2.0)
         found = tuple(np.asarray(each, dtype=float) for each in program(place.copy(), speed.copy(), 0.1, 2.0))
-        for name, unit, at in (("velocity", "m/s", 1), ("place", "m", 0)):
+        for name, unit_of, at in (("velocity", "m/s", 1), ("place", "m", 0)):
             mine, theirs = found[at], expected[at]
             if mine.shape != theirs.shape:
                 return f"Your program returns an array {mine.shape} for {len(place)} boids in the plane."
@@ -69,8 +70,8 @@ def _one_after_another(program: Callable[..., Any]) -> str:
                 which = int(wrong[0])
                 (x, y), (a, b) = theirs[which], mine[which]
                 return (
-                    f"Of a flock of {len(place)} boids, boid {which} should have the {name} ({x:.4f}, {y:.4f}) {unit}"
-                    f" after one step, and your program says ({a:.4f}, {b:.4f})."
+                    f"Of a flock of {len(place)} boids, boid {which} should have the {name} ({x:.4f}, {y:.4f})"
+                    f" {unit_of} after one step, and your program says ({a:.4f}, {b:.4f})."
                 ).replace("-", "−")
     return ""
 
@@ -89,9 +90,31 @@ NEAR = 1e-9
 """A mended program may differ from the right numbers by so much, m or m/s."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"drift": _one_after_another}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "ferries": ("nearest_approach", nearest_approach, ()),
-    "lighthouse": ("repelling_force", repelling_force, (3,)),
-    "balloon": ("tangent_point", tangent_point, (3,)),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "ferries": (
+        "nearest_approach",
+        nearest_approach,
+        Contract(
+            {
+                "position_a": vector,
+                "velocity_a": vector,
+                "position_b": vector,
+                "velocity_b": vector,
+                "radius_a": not_negative,
+                "radius_b": not_negative,
+            },
+            optional=2,
+        ),
+    ),
+    "lighthouse": (
+        "repelling_force",
+        repelling_force,
+        Contract({"separation": number, "normal": unit(), "strength": not_negative, "reach": positive}),
+    ),
+    "balloon": (
+        "tangent_point",
+        tangent_point,
+        Contract({"position": vector, "heading": vector, "centre": vector, "radius": positive}),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
+
+from labs.assessment.contracts import Contract, nonzero, not_negative, number, vector
 
 
 def signed_distance(point: Sequence[float], normal: Sequence[float], offset: float) -> float:
@@ -33,9 +35,25 @@ def overlap_interval(
     return (start, end) if start <= end else (math.inf, -math.inf)
 
 
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "distance": ("signed_distance", signed_distance, ()),
-    "hail": ("time_of_impact_exact", time_of_impact_exact, ()),
-    "gallery": ("overlap_interval", overlap_interval, ()),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "distance": ("signed_distance", signed_distance, Contract({"point": vector, "normal": nonzero, "offset": number})),
+    "hail": (
+        "time_of_impact_exact",
+        time_of_impact_exact,
+        Contract({"separation": number, "normal_velocity": number, "normal_acceleration": number}),
+    ),
+    "gallery": (
+        "overlap_interval",
+        overlap_interval,
+        Contract(
+            {
+                "distance": number,
+                "normal_velocity": number,
+                "radius": not_negative,
+                "thickness": not_negative,
+                "dt": not_negative,
+            }
+        ),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, not_negative, positive, vector
 from reference.arrays import Array
 
 
@@ -78,9 +79,39 @@ NEAR = 1e-6
 """A mended program may differ from the right numbers by so much."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"pucks": _on_ice}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "bungee": ("spring_damper_force", spring_damper_force, (3,)),
-    "sail": ("wind_force", wind_force, (3,)),
-    "buffers": ("spring_step_limit", spring_step_limit, ()),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "bungee": (
+        "spring_damper_force",
+        spring_damper_force,
+        Contract(
+            {
+                "position_1": vector,
+                "position_2": vector,
+                "velocity_1": vector,
+                "velocity_2": vector,
+                "stiffness": not_negative,
+                "rest_length": not_negative,
+                "damping": not_negative,
+            }
+        ),
+    ),
+    "sail": (
+        "wind_force",
+        wind_force,
+        Contract(
+            {
+                "velocity": vector,
+                "wind": vector,
+                "area": not_negative,
+                "drag_coefficient": not_negative,
+                "density": not_negative,
+            }
+        ),
+    ),
+    "buffers": (
+        "spring_step_limit",
+        spring_step_limit,
+        Contract({"stiffness": positive, "mass": positive, "damping": not_negative}),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

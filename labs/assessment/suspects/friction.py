@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, not_negative, positive, unit, vector
 from reference.arrays import Array
+from reference.errors import InvalidInput
 
 
 def friction_force(
@@ -66,9 +68,36 @@ NEAR = 1e-6
 """A mended program may differ from the right numbers by so much."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"belt": _carried}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "carts": ("friction_force", friction_force, (3,)),
-    "scales": ("support_force", support_force, (), (3,)),
-    "track": ("clamp_to_circle", clamp_to_circle, (3,)),
+
+
+def _static_at_least_kinetic(*given: Any) -> None:
+    *_, static, kinetic = given
+    if static < kinetic:
+        raise InvalidInput(
+            f"static_friction must not be less than kinetic_friction, and {static:g} is less than {kinetic:g}"
+        )
+
+
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "carts": (
+        "friction_force",
+        friction_force,
+        Contract(
+            {
+                "push": vector,
+                "tangent_velocity": vector,
+                "normal_force": not_negative,
+                "static_friction": not_negative,
+                "kinetic_friction": not_negative,
+            },
+            together=_static_at_least_kinetic,
+        ),
+    ),
+    "scales": (
+        "support_force",
+        support_force,
+        Contract({"mass": positive, "gravity": vector, "push": vector, "frame_acceleration": vector, "normal": unit()}),
+    ),
+    "track": ("clamp_to_circle", clamp_to_circle, Contract({"tangent_force": vector, "limit": not_negative})),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, body, every, nonzero, not_negative, unit, vector
 from reference.arrays import Array
+from reference.errors import InvalidInput
 
 
 def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:
@@ -64,9 +66,35 @@ NEAR = 1e-6
 """A mended program may differ from the right numbers by so much."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"momenta": _bounces}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "crates": ("edge_edge_normal", edge_edge_normal, (3,)),
-    "hammer": ("inverse_effective_mass", inverse_effective_mass, ()),
-    "aircraft": ("world_inverse_inertia", world_inverse_inertia, (3, 3)),
+PARALLEL = 1e-9
+"""The sine of the angle between two edges below which they count as parallel."""
+
+
+def _not_parallel(edge_a: Array, edge_b: Array, *_: Any) -> None:
+    a, b = (edge / np.max(np.abs(edge)) for edge in (edge_a, edge_b))
+    if np.linalg.norm(np.cross(a, b)) <= PARALLEL * np.linalg.norm(a) * np.linalg.norm(b):
+        raise InvalidInput(
+            f"edge_a {edge_a.tolist()} and edge_b {edge_b.tolist()} are parallel: they have no single normal"
+        )
+
+
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "crates": (
+        "edge_edge_normal",
+        edge_edge_normal,
+        Contract(
+            {"edge_a": nonzero, "edge_b": nonzero, "centre_a": vector, "centre_b": vector}, together=_not_parallel
+        ),
+    ),
+    "hammer": (
+        "inverse_effective_mass",
+        inverse_effective_mass,
+        Contract({"body_a": body, "body_b": body, "normal": unit()}),
+    ),
+    "aircraft": (
+        "world_inverse_inertia",
+        world_inverse_inertia,
+        Contract({"inertia": every(not_negative, vector), "orientation": unit(4)}),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from labs.assessment.contracts import Contract, array, as_floats, mesh, pairs, refuse_other_nodes, rows
 from reference.arrays import Array
+from reference.errors import InvalidInput
 
 GRAVITY = 9.81
 NEAR = 3.0
@@ -66,9 +68,35 @@ def _falls_from_rest(program: Callable[..., Any]) -> str:
 
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"lamp": _falls_from_rest}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "marionette": ("mesh_forces", mesh_forces, (2, 3)),
-    "scaffold": ("diagonals", diagonals, (2,)),
-    "game": ("timestep_bound", timestep_bound, ()),
+CANDIDATES = 2
+"""Bars of which a scaffold may need one or both."""
+
+
+def _of_two_nodes(name: str, value: Any) -> Any:
+    found = mesh(name, value)
+    if len(found.mass) != 2:
+        raise InvalidInput(f"{name} must have 2 nodes, not {len(found.mass)}")
+    return found
+
+
+def _bars_between_nodes(position: Array, edges: Any, candidates: Any) -> None:
+    refuse_other_nodes("edges", edges, len(position))
+    refuse_other_nodes("candidates", candidates, len(position))
+    if len(candidates) != CANDIDATES:
+        raise InvalidInput(f"candidates must be {CANDIDATES} bars, not {len(candidates)}")
+
+
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "marionette": (
+        "mesh_forces",
+        mesh_forces,
+        Contract({"mesh": _of_two_nodes, "position": as_floats(array(2, 3)), "velocity": as_floats(array(2, 3))}),
+    ),
+    "scaffold": (
+        "diagonals",
+        diagonals,
+        Contract({"position": rows(3), "edges": pairs, "candidates": pairs}, together=_bars_between_nodes),
+    ),
+    "game": ("timestep_bound", timestep_bound, Contract({"mesh": mesh})),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

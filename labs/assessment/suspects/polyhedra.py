@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, refuse_other_places, rows, vector, whole_rows
 from reference.arrays import Array
+from reference.errors import InvalidInput
 
 
 def convex_separation(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> tuple[float, int]:
@@ -76,9 +80,55 @@ NEAR = 1e-6
 """A mended program may differ from the right numbers by so much."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"robot": _ranges}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "crates": ("convex_separation", convex_separation, ()),
-    "statue": ("winding_number", winding_number, ()),
-    "garden": ("inside_by_parity", inside_by_parity, ()),
+FLAT = 1e-9
+"""A corner may be so far in front of a face, as a share of the size of the solid, and the solid is still convex."""
+
+
+def _fits(_: Array, vertices: Array, faces: Any) -> None:
+    refuse_other_places("faces", faces, len(vertices), "vertices")
+
+
+def _convex(point: Array, vertices: Array, faces: Any) -> None:
+    _fits(point, vertices, faces)
+    corners = vertices[np.unique(faces)].astype(float)
+    size = np.max(np.ptp(corners, axis=0))
+    a, b, c = _corners((vertices - np.min(corners, axis=0)) / (size or 1.0), faces)
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=-1, keepdims=True)
+    if not np.all(length > 0):
+        raise InvalidInput(f"faces must have an area, and face {int(np.argmin(length))} has none")
+    apart = (corners - np.min(corners, axis=0)) / size
+    heights = np.vecdot((normal / length)[:, None], apart - a[:, None])
+    if np.max(heights) > FLAT:
+        face = int(np.argmax(np.max(heights, axis=1)))
+        raise InvalidInput(
+            f"faces must bound a convex solid and look outwards, and a corner is in front of face {face}"
+        )
+
+
+def _closed(point: Array, vertices: Array, faces: Any) -> None:
+    _fits(point, vertices, faces)
+    place = [tuple(each) for each in vertices.tolist()]
+    ends = [frozenset((place[a], place[b])) for face in faces.tolist() for a, b in itertools.pairwise([*face, face[0]])]
+    if odd := sum(len(each) == 2 and count % 2 for each, count in Counter(ends).items()):
+        raise InvalidInput(f"faces must bound a closed surface, and {odd} edges belong to an odd number of faces")
+
+
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "crates": (
+        "convex_separation",
+        convex_separation,
+        Contract({"point": vector, "vertices": rows(3), "faces": whole_rows(3)}, together=_convex),
+    ),
+    "statue": (
+        "winding_number",
+        winding_number,
+        Contract({"point": vector, "vertices": rows(3), "faces": whole_rows(3)}, together=_fits),
+    ),
+    "garden": (
+        "inside_by_parity",
+        inside_by_parity,
+        Contract({"point": vector, "vertices": rows(3), "faces": whole_rows(3)}, together=_closed),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

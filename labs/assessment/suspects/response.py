@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, not_negative, number, share, unit, vector
 from reference.arrays import Array
 
 
@@ -67,9 +68,41 @@ NEAR = 0.01
 """A mended program may miss the rebound by this share of the height, because of its steps."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"lift": _rebounds}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
-    "flipper": ("kinematic_response", kinematic_response, (3,)),
-    "trampoline": ("penalty_force", penalty_force, (3,)),
-    "film": ("respond_at_impact", respond_at_impact, (3,)),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "flipper": (
+        "kinematic_response",
+        kinematic_response,
+        Contract({"velocity": vector, "normal": unit(), "restitution": share, "plane_velocity": vector}, optional=1),
+    ),
+    "trampoline": (
+        "penalty_force",
+        penalty_force,
+        Contract(
+            {
+                "separation": number,
+                "normal_velocity": number,
+                "normal": unit(),
+                "stiffness": not_negative,
+                "damping": not_negative,
+                "adhesive": number,
+            },
+            optional=2,
+        ),
+    ),
+    "film": (
+        "respond_at_impact",
+        respond_at_impact,
+        Contract(
+            {
+                "position": vector,
+                "velocity": vector,
+                "acceleration": vector,
+                "normal": unit(),
+                "restitution": share,
+                "time_of_impact": not_negative,
+                "dt": not_negative,
+            }
+        ),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of one result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

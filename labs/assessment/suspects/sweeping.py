@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import Contract, every, not_negative, vector
 from reference.arrays import Array
 
 
@@ -80,9 +81,17 @@ NEAR = 1e-6
 """A mended program may differ from the right time by so much, s."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"cue": _first_of_several}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "zone": ("ray_sphere", ray_sphere, ()),
-    "viewer": ("ray_box", ray_box, ()),
-    "pipes": ("ray_capsule", ray_capsule, ()),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "zone": ("ray_sphere", ray_sphere, Contract({"origin": vector, "direction": vector, "radius": not_negative})),
+    "viewer": (
+        "ray_box",
+        ray_box,
+        Contract({"origin": vector, "direction": vector, "half_extents": every(not_negative, vector)}),
+    ),
+    "pipes": (
+        "ray_capsule",
+        ray_capsule,
+        Contract({"origin": vector, "direction": vector, "start": vector, "end": vector, "radius": not_negative}),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shape of each result."""
+"""Key → the function that it should be, the wrong one, and what both take."""

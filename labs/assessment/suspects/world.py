@@ -8,7 +8,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from labs.assessment.contracts import (
+    Contract,
+    every,
+    matrix,
+    not_negative_diagonal,
+    number,
+    one_or_each,
+    positive,
+    several,
+    share,
+    unit,
+    vector,
+    whole,
+)
 from reference.arrays import Array
+from reference.errors import InvalidInput
 
 
 def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: ArrayLike = 0.0) -> Array:
@@ -52,7 +67,7 @@ def _dropped(program: Callable[..., Any]) -> str:
         found = np.asarray(program(height, e, 480), dtype=float)
         if found.shape != (480,):
             return f"It must return 480 heights, not something of the shape {found.shape}."
-        for number, mine in enumerate(found):
+        for step, mine in enumerate(found):
             if gap <= 0 and rate < 0:
                 rate = -e * rate if -rate > 0.1 else 0.0
             fall = 9.81 * dt
@@ -61,7 +76,7 @@ def _dropped(program: Callable[..., Any]) -> str:
             if abs(mine - gap) > NEAR:
                 return (
                     f"Dropped from {height:g} m with e = {e:g}, the ball should be at {1e3 * gap:.3f} mm after"
-                    f" {number + 1} steps, and your program says {1e3 * mine:.3f} mm."
+                    f" {step + 1} steps, and your program says {1e3 * mine:.3f} mm."
                 ).replace("-", "−")
     return ""
 
@@ -70,9 +85,57 @@ NEAR = 1e-6
 """A mended program may differ from the right height by so much, m."""
 MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"bouncer": _dropped}
 """Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
-SUSPECTS: dict[str, tuple[Any, ...]] = {
-    "crane": ("solve_by_sweeps", solve_by_sweeps, (2,), (3,), (4,)),
-    "wagons": ("propagate_impacts", propagate_impacts, (3,), (4,), (5,)),
-    "satellite": ("rotate_by_momentum", rotate_by_momentum, (4,), (3,)),
+SWEEPS, IMPACTS = 1000, 10_000
+"""How often an input may go through the contacts of a crane, and through the wagons of a row: more changes nothing."""
+
+
+def _as_many(name: str, value: Any, count: int) -> None:
+    if np.ndim(value) and len(value) != count:
+        raise InvalidInput(f"{name} must be one number or {count}, not {len(value)}")
+
+
+def _crane(matrix: Array, offset: Array, sweeps: int, start: Any = 0.0) -> None:
+    if matrix.shape != (len(offset), len(offset)):
+        raise InvalidInput(f"matrix must have {len(offset)} rows of {len(offset)} numbers, as offset has {len(offset)}")
+    not_negative_diagonal("matrix", matrix)
+    _as_many("start", start, len(offset))
+
+
+def _row(velocity: Array, mass: Any, restitution: Any, most: int = IMPACTS) -> None:
+    _as_many("mass", mass, len(velocity))
+    _as_many("restitution", restitution, len(velocity) - 1)
+
+
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], Contract]] = {
+    "crane": (
+        "solve_by_sweeps",
+        solve_by_sweeps,
+        Contract(
+            {"matrix": matrix, "offset": several(2, 4), "sweeps": whole(SWEEPS), "start": one_or_each(number)},
+            optional=1,
+            together=_crane,
+        ),
+    ),
+    "wagons": (
+        "propagate_impacts",
+        propagate_impacts,
+        Contract(
+            {
+                "velocity": several(3, 5),
+                "mass": one_or_each(positive),
+                "restitution": one_or_each(share),
+                "most": whole(IMPACTS),
+            },
+            optional=1,
+            together=_row,
+        ),
+    ),
+    "satellite": (
+        "rotate_by_momentum",
+        rotate_by_momentum,
+        Contract(
+            {"orientation": unit(4), "angular_velocity": vector, "moments": every(positive, vector), "dt": number}
+        ),
+    ),
 }
-"""Key → the function that it should be, the wrong one, and the shapes that a result may have."""
+"""Key → the function that it should be, the wrong one, and what both take."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import io
-import json
 from types import SimpleNamespace
 
 import numpy as np
@@ -18,15 +17,9 @@ from labs.building import lessons
 from labs.grading.diagnosis import misconceptions
 from labs.grading.diagnosis.probes import probes
 from reference.engines.implementation import Implementation
-from reference.errors import InvalidInput, UnknownName
+from reference.errors import InvalidInput
 
 CHOICES = {"e": (0.3, 0.4, 0.6, 0.7), "mass": (1.0, 2.0, 3.0)}
-SEVERAL = (
-    ("detection", "hail", ([1.0], -1.0, -9.81)),
-    ("detection", "distance", ([[0, 0, 3], [0, 0, 3]], [0, 0, 1], 0)),
-    ("impulse", "crates", ([[1, 0, 0]] * 2, [[0, 1, 0]] * 2, [0, 0, 1], [0, 0, 0])),
-    ("impulse", "aircraft", ([1, 1, 1], [[1, 0, 0, 0]] * 2)),
-)
 EVERY = [(topic, suspect) for topic in lessons.lessons() for suspect in exposures.suspects(topic)]
 
 
@@ -99,22 +92,6 @@ def program_of(cell):
     return handed[0]
 
 
-def test_an_input_that_the_right_function_refuses_exposes_nothing():
-    suspect = exposures.suspect("impulse", "crates")
-    with pytest.raises(InvalidInput, match="refuses this input"):
-        exposures.tried(suspect, ([1, 0, 0], [2, 0, 0], [0, 0, 1], [0, 0, 0]), right(suspect.function))
-    with pytest.raises(InvalidInput, match="too long"):
-        exposures.tried(suspect, ([0.0] * 200,), right(suspect.function))
-    with pytest.raises(InvalidInput, match="in numbers"):
-        exposures.tried(suspect, (np.zeros(3), [1, 0, 0], [0, 0, 1], [0, 0, 0]), right(suspect.function))
-    for topic, key, several in SEVERAL:  # two cases at once trip functions of one case, whatever their mistake
-        suspect = exposures.suspect(topic, key)
-        with pytest.raises(InvalidInput, match=r"one case|ends in"):
-            exposures.tried(suspect, several, right(suspect.function))
-    with pytest.raises(UnknownName, match="crates"):
-        exposures.suspect("impulse", "crate")
-
-
 def test_an_input_is_tried_as_the_checks_give_it():
     suspect, given = exposures.suspect("polyhedra", "garden"), []
 
@@ -125,20 +102,6 @@ def test_an_input_is_tried_as_the_checks_give_it():
     found = exposures.tried(suspect, EXPOSING["polyhedra", "garden"], of_arrays)
     assert [each.shape for each in given] == [(4, 3, 3), (3, 1)]
     assert found.said == "inside_by_parity gives True, and your colleague's False"
-
-
-def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
-    cells = [
-        'lab.expose("hail", 0.5, 2.0, -10.0)',
-        'lab.expose("distance", [0, 0, 3], [0, 0, 2], ...)',
-        'lab.expose("gallery", *__import__("os").listdir())\nlab.expose("gallery", -0.5, 2.0, 0.1, 0.1, 1.0)',
-    ]
-    notebook = {"cells": [{"cell_type": "code", "metadata": {}, "outputs": [], "source": each} for each in cells]}
-    told = 'lab.expose("distance", [0, 0, 3], [0, 0, 2], 4)'  # in a cell of text it is nobody's input
-    notebook["cells"].append({"cell_type": "markdown", "metadata": {}, "source": told})
-    path = tmp_path / "lab.ipynb"
-    path.write_text(json.dumps(notebook | {"metadata": {}, "nbformat": 4, "nbformat_minor": 5}), encoding="utf-8")
-    assert exposures.found_in(path, "detection") == {"distance": False, "hail": True, "gallery": True}
 
 
 def test_functions_are_less_than_half_of_a_mark():
