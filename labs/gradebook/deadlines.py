@@ -28,7 +28,8 @@ from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
-from labs.gradebook.roster import Student, plain
+from labs.gradebook.roster import Student
+from labs.gradebook.sheets import plain
 from reference import checks, lecture
 from reference.errors import InvalidInput, UnknownName, listed
 

@@ -1,59 +1,65 @@
-"""The students of a course, from a CSV file: a plain one, or the one that Canvas or Moodle exports and takes back.
+"""The students of a course, from a CSV file: a plain one, or the one that a platform exports.
 
 | | columns that are read |
 |---|---|
-| plain | `student_id`, and `name` and `email` if there are such |
-| Canvas' gradebook | `Student`, `ID`, `SIS User ID`, `SIS Login ID` |
-| Moodle's grading worksheet | `Identifier` (`Participant 4711`), `Full name`, `Email address`, `ID number` |
+| Canvas' gradebook | `Student`, or `LastName` and `FirstName`; `ID`, `SIS User ID`, `SIS Login ID` |
+| Moodle's grading worksheet | `Identifier` (`Participant 4711`), `Full name`, `Email address`, `ID number`, in any of \
+the languages of `moodle.toml`; `Status` and `Last modified (submission)` say when a submission came |
+| plain | `student_id`, and `name` or `first_name` and `last_name`, and `email` if there are such |
+| Gradescope, Brightspace, Blackboard | as a plain one: `SID`, `OrgDefinedId`, `Student ID` or `Username` |
 """
 
 from __future__ import annotations
 
-import csv
-import io
 import re
-import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from labs.gradebook import moodle
 from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, Owner
+from labs.gradebook.sheets import Row, Sheet, plain, read_sheet
+from labs.gradebook.times import Received
 from reference.errors import InvalidInput
 
-MOST_BYTES = 10 * 2**20
-BYTE_ORDER_MARK = "\ufeff"
-_CANVAS, _MOODLE, _PLAIN = ("Student", "ID"), ("Identifier", "Full name"), ("student_id",)
 _PARTICIPANT = re.compile(r"^\D*(\d+)$")
 POINTS_POSSIBLE = "points possible"
 _NO_STUDENT = (POINTS_POSSIBLE, "student, test")
 """In Canvas' file: a line of the points, and a student who exists for trying."""
+_CANVAS = (("Student", "ID"), ("LastName", "FirstName", "ID"))
+"""What Canvas' gradebook has at least; an instructor may choose to have the names in two columns."""
+_OWN = ("student_id", "student id", "sid", "orgdefinedid", "username")
+"""What a table may call a student's number, the best first."""
+_SHORTENED = re.compile(r"[1-9](?:[.,]\d+)?E\+\d+", re.IGNORECASE)
+_OTHERS = ("name", "full name", "first_name", "first name", "last_name", "last name", "email")
 
 
 @dataclass(frozen=True)
 class Student:
-    """A student. id: unique in the course. keys: by platform, the numbers and names by which it calls the student."""
+    """A student. id: unique in the course. keys: by platform, the numbers and names by which it calls the student.
+
+    received: when the student's submission came, if the roster says so.
+    """
 
     id: str
     name: str = ""
     email: str = ""
     keys: Mapping[str, frozenset[str]] = field(default_factory=dict, compare=False)
+    received: Received = field(default=Received(), compare=False)
 
 
 @dataclass(frozen=True)
 class Roster:
-    """All students. kind: whose file it was. header, lines: what the file says, to be filled in and given back.
+    """All students. kind: whose file it was. sheet: what the file says, to be filled in and given back.
 
-    places: the line of each student, from 0. newline, mark: how its lines end, and the byte-order mark that it began
-    with, empty if it had none.
+    places: the line of each student, from 0.
     """
 
     students: tuple[Student, ...]
     kind: str = PLAIN
-    header: tuple[str, ...] = ()
-    lines: tuple[tuple[str, ...], ...] = field(default=(), repr=False)
+    sheet: Sheet = field(default=Sheet(""), repr=False)
     places: tuple[int, ...] = ()
-    newline: str = "\n"
-    mark: str = ""
 
     def owner(self, owner: Owner, email: str = "") -> Student | None:
         """The student whom a platform's name of a submission means; None if it means nobody, or several.
@@ -77,47 +83,55 @@ def read_roster(path: Path) -> Roster:
     Raises
     ------
     InvalidInput
-        If the file is missing, is no CSV file with such columns, or names a student twice.
+        If the file is missing, is no table with such columns, or names a student twice.
     """
-    try:
-        read = path.read_bytes()[: MOST_BYTES + 1].decode("utf-8")
-    except OSError as error:
-        raise InvalidInput(f"cannot read the roster {str(path)!r}: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InvalidInput(f"{str(path)!r} is not UTF-8 text: save the roster as CSV in UTF-8") from None
-    text = read.removeprefix(BYTE_ORDER_MARK)
-    if len(text) > MOST_BYTES:
-        raise InvalidInput(f"{str(path)!r} has more than 10 MB: a roster is smaller")
-    try:
-        written, *lines = list(csv.reader(io.StringIO(text, newline=""), strict=True)) or [[]]
-    except csv.Error as error:
-        raise InvalidInput(f"{str(path)!r} is no CSV file: {error}") from None
-    header = [each.strip() for each in written]
-    kind = next((kind for kind, needs in _KINDS.items() if set(needs) <= set(header)), None)
-    if kind is None:
-        needed = " or ".join(", ".join(needs) for needs in _KINDS.values())
-        raise InvalidInput(f"{str(path)!r} has the columns {', '.join(header)}; a roster has {needed}")
-    rows = [dict(zip(header, line, strict=False)) for line in lines]
-    people = {place: _READERS[kind](row) for place, row in enumerate(rows) if any(row.values())}
-    kept = {place: each for place, each in people.items() if each.id and plain(each.name) not in _NO_STUDENT}
-    ids = [each.id for each in kept.values()]
-    if twice := next((each for each in ids if ids.count(each) > 1), ""):
-        raise InvalidInput(f"{str(path)!r} has the student {twice!r} twice")
+    known = {*(heading for each in _CANVAS for heading in each), *moodle.every_heading(), *_OWN, *_OTHERS}
+    sheet = read_sheet(path, known)
+    kind, reader = _reader(sheet, path)
+    people = [reader(row) for row in sheet.rows()]
+    _refuse_lost_numbers(sheet, kind, people)
+    kept = {place: each for place, each in enumerate(people) if each.id and plain(each.name) not in _NO_STUDENT}
     if not kept:
         raise InvalidInput(f"{str(path)!r} names no student")
-    newline, mark = "\r\n" if text.partition("\n")[0].endswith("\r") else "\n", read[: len(read) - len(text)]
-    return Roster(tuple(kept.values()), kind, tuple(written), tuple(map(tuple, lines)), tuple(kept), newline, mark)
+    student, times = Counter(each.id for each in kept.values()).most_common(1)[0]
+    if times > 1:
+        lines = [str(sheet.numbers[place]) for place, each in kept.items() if each.id == student]
+        raise InvalidInput(f"{str(path)!r} has the student {student!r} twice, in the lines {' and '.join(lines[:2])}")
+    return Roster(tuple(kept.values()), kind, sheet, tuple(kept))
+
+
+def _refuse_lost_numbers(sheet: Sheet, kind: str, people: Iterable[Student]) -> None:
+    """Refuse a line that names nobody, and a number that a spreadsheet has shortened: the student would be lost."""
+    for line, student in zip(sheet.numbers, people, strict=True):
+        if _SHORTENED.fullmatch(student.id):
+            raise InvalidInput(
+                f"line {line} of {sheet.name} has the number {student.id!r}, which a spreadsheet has shortened. Format"
+                " its column as text there, or save the roster from the platform without opening it."
+            )
+        if kind == PLAIN and not student.id:
+            raise InvalidInput(f"line {line} of {sheet.name} has no number of a student ({student.name or 'no name'})")
+
+
+def _reader(sheet: Sheet, path: Path) -> tuple[str, Callable[[Row], Student]]:
+    """Whose file a table is, and what reads a line of it."""
+    there = {plain(each) for each in sheet.header}
+    if any({plain(each) for each in needs} <= there for needs in _CANVAS):
+        return CANVAS, _of_canvas
+    if words := moodle.language_of(sheet.header):
+        columns = words.columns(sheet.header)
+        return MOODLE, lambda row: _of_moodle(row, columns, words)
+    if there & set(_OWN):
+        return PLAIN, _of_ours
+    raise InvalidInput(
+        f"{str(path)!r} has the columns {', '.join(sheet.header) or 'of an empty file'}. A roster is Canvas' gradebook"
+        f" (Student, ID), Moodle's grading worksheet (Identifier, Full name), or a table with {' or '.join(_OWN)}."
+        " If Moodle's worksheet is in another language, switch Moodle to English and download it again."
+    )
 
 
 def of_everybody(owners: Iterable[Owner]) -> Roster:
     """A roster of those who handed something in, where a course has none."""
     return Roster(tuple(Student(each.key, each.name, keys={each.platform: frozenset({each.key})}) for each in owners))
-
-
-def plain(text: str) -> str:
-    """A name or number in one spelling: no accents, no case, single spaces."""
-    bare = "".join(each for each in unicodedata.normalize("NFKD", text) if not unicodedata.combining(each))
-    return " ".join(bare.casefold().split())
 
 
 _FREE = (PLAIN, NBGRADER)
@@ -149,28 +163,35 @@ def _turned(name: str) -> Sequence[str]:
     return (f"{first} {last}", f"{last}, {first}", squeezed) if first and last else ()
 
 
-def _of_canvas(row: Mapping[str, str]) -> Student:
-    login, number = row.get("SIS Login ID", "").strip(), row.get("ID", "").strip()
-    others = frozenset({login, row.get("SIS User ID", "").strip()} - {""})
+def _of_canvas(row: Row) -> Student:
+    name = row["Student"] or _last_first(row["LastName"], row["FirstName"])
+    login, number, own = row["SIS Login ID"], row["ID"], row["SIS User ID"]
+    others = frozenset({login, own} - {""})
     email, keys = login if "@" in login else "", {CANVAS: frozenset({number}), GRADESCOPE: others, PLAIN: others}
-    return Student(row.get("SIS User ID", "").strip() or login or number, row.get("Student", "").strip(), email, keys)
+    return Student(own or login or number, name, email, keys)
 
 
-def _of_moodle(row: Mapping[str, str]) -> Student:
-    found = _PARTICIPANT.match(row.get("Identifier", "").strip())
+def _last_first(last: str, first: str) -> str:
+    return f"{last}, {first}" if last and first else last or first
+
+
+def _of_moodle(row: Row, columns: Mapping[str, str], words: moodle.Words) -> Student:
+    cells = {meaning: row[heading] for meaning, heading in columns.items()}
+    found = _PARTICIPANT.match(cells["identifier"])
     number = found[1] if found else ""
-    own = row.get("ID number", "").strip()
-    return Student(own or number, row.get("Full name", "").strip(), row.get("Email address", "").strip(),
-                   {MOODLE: frozenset({number} - {""})})  # fmt: skip
+    received = words.received(cells.get("submitted", ""), cells.get("status", ""))
+    keys = {MOODLE: frozenset({number} - {""})}
+    return Student(cells.get("number") or number, cells.get("name", ""), cells.get("email", ""), keys, received)
 
 
-def _of_ours(row: Mapping[str, str]) -> Student:
+def _of_ours(row: Row) -> Student:
+    """A student of a table that is no platform's gradebook. Brightspace writes `#` before numbers and logins."""
+    first, last = (row[f"{each}_name"] or row[f"{each} name"] for each in ("first", "last"))
+    name = row["name"] or row["full name"] or _last_first(last, first)
+    numbers = [row[column].removeprefix("#") for column in _OWN]
     others = {
-        platform: frozenset({row.get(column, "").strip()} - {""})
+        platform: frozenset({row[column]} - {""})
         for platform, column in ((CANVAS, "canvas_id"), (MOODLE, "moodle_id"), (GRADESCOPE, "gradescope_sid"))
     }
-    return Student(row["student_id"].strip(), row.get("name", "").strip(), row.get("email", "").strip(), others)
-
-
-_KINDS = {CANVAS: _CANVAS, MOODLE: _MOODLE, PLAIN: _PLAIN}
-_READERS = {CANVAS: _of_canvas, MOODLE: _of_moodle, PLAIN: _of_ours}
+    keys = {**others, PLAIN: frozenset({*numbers} - {""})}
+    return Student(next((each for each in numbers if each), ""), name, row["email"], keys)

@@ -6,16 +6,15 @@ apostrophe; characters that XML cannot hold are left out.
 
 from __future__ import annotations
 
-import csv
-import io
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 from xml.etree import ElementTree
 
 from labs.gradebook.deadlines import Lateness
 from labs.gradebook.roster import Student
+from labs.gradebook.sheets import Dialect
 from labs.grading.safe_text import plain
 
 OUT_OF = 100.0
@@ -55,13 +54,13 @@ def defused(text: str) -> str:
 
 
 def runs_as_formula(text: str) -> bool:
-    """Whether a spreadsheet may take a cell for a formula: it may leave out blanks at the start."""
-    return text.startswith(_FORMULA) or text.lstrip().startswith(_FORMULA)
+    """Whether a spreadsheet may take a cell for a formula: it may leave out blanks at the start. `-` alone is none."""
+    return len(text.strip()) > 1 and (text.startswith(_FORMULA) or text.lstrip().startswith(_FORMULA))
 
 
 def plain_table(marks: Iterable[Mark]) -> str:
     """A line for each student."""
-    return _csv(COLUMNS, (_line(mark) for mark in marks))
+    return Dialect().text([COLUMNS, *map(_line, marks)])
 
 
 def _line(mark: Mark) -> list[str]:
@@ -99,11 +98,3 @@ def _fit(text: str) -> str:
 def number(value: float | None) -> str:
     """A number of points with up to two decimals; empty if there is none."""
     return "" if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
-
-
-def _csv(header: Sequence[str], lines: Iterable[Sequence[str]]) -> str:
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(header)
-    writer.writerows(lines)
-    return text.getvalue()

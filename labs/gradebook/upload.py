@@ -11,14 +11,14 @@ gets an apostrophe before it, and every other name is written as it came.
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from labs.gradebook import moodle
 from labs.gradebook.layouts import CANVAS, MOODLE
-from labs.gradebook.roster import POINTS_POSSIBLE, Roster, plain
+from labs.gradebook.roster import POINTS_POSSIBLE, Roster
+from labs.gradebook.sheets import number_in, plain
 from labs.gradebook.tables import OUT_OF, Mark, number, runs_as_formula
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
@@ -27,12 +27,12 @@ NO_COLUMN = "none"
 """What the option says if no file is to be written for the platform."""
 _ASSIGNMENT = re.compile(r"^(?P<title>.+) \((?P<number>\d+)\)$")
 """A column of Canvas that belongs to an assignment; every other one is computed and cannot be filled."""
-_WHO = ("Student", "ID", "SIS User ID", "SIS Login ID", "Integration ID", "Root Account", "Section")
-_READ_BACK = {
-    CANVAS: _WHO[1:5],
-    MOODLE: ("Identifier", "Grade", "Maximum Grade", "Last modified (grade)", "Feedback comments"),
-}
-_GRADE, _MAXIMUM = "Grade", "Maximum Grade"
+_NAMES = ("Student", "LastName", "FirstName")
+_NUMBERS = ("ID", "SIS User ID", "SIS Login ID", "Integration ID")
+_WHO = (*_NAMES, *_NUMBERS, "Root Account", "Section")
+"""The columns by which Canvas finds a student, in the order in which it writes them; it reads the numbers back."""
+_READ_BACK = ("identifier", "grade", "maximum", "graded", "comments")
+"""What Moodle reads back."""
 _EXCUSED = "EX"
 
 
@@ -85,7 +85,7 @@ def target(roster: Roster, lab: str, column: str = "") -> Target | None:
 
 
 def _in_canvas(roster: Roster, lab: str, column: str) -> Target:
-    matched = ((place, _ASSIGNMENT.match(each.strip())) for place, each in enumerate(roster.header))
+    matched = ((place, _ASSIGNMENT.match(each.strip())) for place, each in enumerate(roster.sheet.header))
     every = {place: found for place, found in matched if found}
     names = [plain(each) for each in ([column] if column else [lab, lecture.topic(lab).title])]
     fit = [
@@ -107,23 +107,34 @@ def _in_canvas(roster: Roster, lab: str, column: str) -> Target:
 
 
 def _points_possible(roster: Roster, place: int) -> float | None:
-    who = [each.strip() for each in roster.header].index("Student")
-    every = (_padded(line, len(roster.header)) for line in roster.lines)
-    return next((_as_number(line[place]) for line in every if plain(line[who]) == POINTS_POSSIBLE), None)
+    who = next(at for at, heading in enumerate(roster.sheet.header) if heading.strip() in _NAMES)
+    lines = (line for line in roster.sheet.lines if plain(line[who]) == POINTS_POSSIBLE)
+    return next((number_in(line[place]) for line in lines), None)
 
 
 def _in_moodle(roster: Roster) -> Target:
-    header = [each.strip() for each in roster.header]
-    if header.count(_GRADE) != 1:
+    sheet = roster.sheet
+    columns = _in_words(roster)
+    grades = sheet.places(columns["grade"]) if "grade" in columns else []
+    if len(grades) != 1:
         raise InvalidInput(
-            f"Moodle's worksheet has {header.count(_GRADE) or 'no'} columns {_GRADE!r} for the marks; it has"
-            f" {', '.join(header)}. Download it from the assignment, or write --column {NO_COLUMN} to get no file for"
-            " Moodle."
+            f"Moodle's worksheet has {len(grades) or 'no'} columns 'Grade' for the marks; it has"
+            f" {', '.join(sheet.header)}. Download it from the assignment, or write --column {NO_COLUMN} to get no file"
+            " for Moodle."
         )
-    most = {_as_number(line[header.index(_MAXIMUM)]) for line in _of_students(roster)} if _MAXIMUM in header else {None}
+    title = sheet.header[grades[0]].strip()
+    maximum = next(iter(sheet.places(columns["maximum"])), None) if "maximum" in columns else None
+    most = {None if maximum is None else number_in(sheet.lines[place][maximum]) for place in roster.places}
     if len(most) > 1:
-        raise InvalidInput(f"the students of Moodle's worksheet have different values of {_MAXIMUM!r}")
-    return Target(MOODLE, header.index(_GRADE), _GRADE, most.pop())
+        heading = sheet.header[maximum or 0].strip()
+        raise InvalidInput(f"the students of Moodle's worksheet have different values of {heading!r}")
+    return Target(MOODLE, grades[0], title, most.pop())
+
+
+def _in_words(roster: Roster) -> dict[str, str]:
+    """What the columns of Moodle's worksheet mean, in its language."""
+    words = moodle.language_of(roster.sheet.header)
+    return words.columns(roster.sheet.header) if words else {}
 
 
 def _with_points(found: Target) -> Target:
@@ -135,48 +146,43 @@ def _with_points(found: Target) -> Target:
     return found
 
 
-def _of_students(roster: Roster) -> list[list[str]]:
-    return [_padded(roster.lines[place], len(roster.header)) for place in roster.places]
-
-
-def _padded(line: Iterable[str], length: int) -> list[str]:
-    cells = list(line)
-    return cells + [""] * (length - len(cells))
-
-
 def filled(roster: Roster, marks: Iterable[Mark], to: Target) -> str:
-    """The platform's file with the marks in it, with the line ends and the first mark of bytes that it had."""
+    """The platform's file with the marks in it, as UTF-8, with the line ends that it had.
+
+    Canvas recognises semicolons. Moodle expects the commas that it writes.
+    """
     by_id = {mark.student.id: mark for mark in marks}
-    lines = [_padded(line, len(roster.header)) for line in roster.lines]
+    lines = [list(line) for line in roster.sheet.lines]
     for place, student in zip(roster.places, roster.students, strict=True):
         mark = by_id.get(student.id)
         if mark is not None and mark.score is not None and lines[place][to.place].strip().upper() != _EXCUSED:
             lines[place][to.place] = number(mark.score * to.scale)
-    columns = _columns(roster, to)
-    exact = [place == to.place or roster.header[place].strip() in _READ_BACK[to.platform] for place in columns]
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator=roster.newline)
-    writer.writerow([roster.header[place] for place in columns])
-    writer.writerows(
-        [line[place] if as_it_is else _harmless(line[place]) for place, as_it_is in zip(columns, exact, strict=True)]
+    columns, exact = _columns(roster, to), _read_back(roster, to)
+    every = [
+        [line[place] if place in exact else _harmless(line[place]) for place in columns]
         for line in lines
-    )
-    return roster.mark + text.getvalue()
+    ]  # fmt: skip
+    dialect = roster.sheet.dialect
+    if to.platform == MOODLE:
+        dialect = replace(dialect, delimiter=",")
+    return dialect.text([[roster.sheet.header[place] for place in columns], *every])
 
 
 def _columns(roster: Roster, to: Target) -> list[int]:
     if to.platform == MOODLE:
-        return list(range(len(roster.header)))
-    return [place for place, each in enumerate(roster.header) if place == to.place or each.strip() in _WHO]
+        return list(range(len(roster.sheet.header)))
+    return [place for place, each in enumerate(roster.sheet.header) if place == to.place or each.strip() in _WHO]
+
+
+def _read_back(roster: Roster, to: Target) -> set[int]:
+    """The columns that the platform reads, which are written exactly as they came."""
+    headings = {plain(each) for each in _NUMBERS}
+    if to.platform == MOODLE:
+        columns = _in_words(roster)
+        headings = {columns[meaning] for meaning in _READ_BACK if meaning in columns}
+    return {to.place, *(place for place, each in enumerate(roster.sheet.header) if plain(each) in headings)}
 
 
 def _harmless(cell: str) -> str:
     """A cell as it came, unless a spreadsheet would run it: a number such as −1 runs nothing."""
-    return f"'{cell}" if _as_number(cell) is None and runs_as_formula(cell) else cell
-
-
-def _as_number(text: str) -> float | None:
-    try:
-        return float(text.strip().replace(",", "."))
-    except ValueError:
-        return None
+    return f"'{cell}" if number_in(cell) is None and runs_as_formula(cell) else cell

@@ -153,7 +153,7 @@ def _bytes(path: Path) -> bytes:
 def _text(raw: bytes) -> tuple[str, list[Complaint]]:
     """The file as text with plain line ends; with a complaint if its encoding had to be guessed."""
     complaints = []
-    encoding = _utf_16(raw) or "utf-8-sig"
+    encoding = utf_16(raw) or "utf-8-sig"
     with contextlib.suppress(SyntaxError):  # raised for an encoding that Python does not know
         declared, _ = tokenize.detect_encoding(io.BytesIO(raw).readline)
         encoding = declared if declared in _DECLARED else encoding
@@ -176,7 +176,7 @@ def _text(raw: bytes) -> tuple[str, list[Complaint]]:
     return text.replace("\r\n", "\n").replace("\r", "\n"), complaints
 
 
-def _utf_16(raw: bytes) -> str:
+def utf_16(raw: bytes) -> str:
     """Which kind of UTF-16 a file is, by its mark or by the zeros of its first line; empty for any other encoding."""
     if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return "utf-16"

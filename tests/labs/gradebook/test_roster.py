@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from made_rosters import CANVAS_FILE, MOODLE_FILE, PLAIN_FILE
+from made_rosters import CANVAS_FILE, GERMAN_FILE, MOODLE_FILE, PLAIN_FILE
 
 from labs.gradebook.layouts import CANVAS, MOODLE, PLAIN, Owner
 from labs.gradebook.roster import read_roster
@@ -31,6 +31,29 @@ def roster(tmp_path):
 def test_a_platforms_own_file_is_known_by_its_columns(roster, text, kind, ids):
     found = roster(text)
     assert (found.kind, [each.id for each in found.students]) == (kind, ids)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "students"),
+    [
+        ("LastName;FirstName;ID;SIS Login ID;Section\nLovelace;Ada;7;ada;S\nStudent;Test;9;;S\n", CANVAS,
+         [("ada", "Lovelace, Ada")]),
+        ("Identifier\tStatus\tGrade\n\t\t\nParticipant 31\t\t\n", MOODLE, [("31", "")]),
+        (GERMAN_FILE, MOODLE, [("0815", "Ada Lovelace")]),
+        ("Identifiant;Nom complet\nParticipant 31;Ada\n", MOODLE, [("31", "Ada")]),
+        ("sep=;\nSTUDENT_ID ; Last Name;First Name\n  007;Lovelace;Ada\n", PLAIN, [("007", "Lovelace, Ada")]),
+        ("First Name,Last Name,SID,Email,Role\nAda,Lovelace,12,a@b,Student\n", PLAIN, [("12", "Lovelace, Ada")]),
+        ("OrgDefinedId,Username,Last Name,First Name,End-of-Line Indicator\n#40,#ada,Lovelace,Ada,#\n", PLAIN,
+         [("40", "Lovelace, Ada")]),
+        ('"Last Name","First Name","Username","Student ID"\n"Lovelace","Ada","ada",""\n', PLAIN,
+         [("ada", "Lovelace, Ada")]),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "cp1252"])
+def test_rosters_of_every_platform_are_read_however_they_were_saved(tmp_path, text, kind, students, encoding):
+    (tmp_path / "roster.csv").write_bytes(text.replace("\n", "\r\n").encode(encoding))
+    found = read_roster(tmp_path / "roster.csv")
+    assert (found.kind, [(each.id, each.name) for each in found.students]) == (kind, students)
 
 
 @pytest.mark.parametrize(
@@ -75,11 +98,17 @@ def test_two_students_of_one_name_are_told_apart_by_nothing(roster):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("name,mark\nAda,3\n", "has the columns name, mark; a roster has Student, ID or Identifier, Full name or stud"),
-        ("student_id\n1\n1\n", "has the student '1' twice"),
+        (
+            "name,mark\nAda,3\n",
+            "has the columns name, mark. A roster is Canvas' gradebook .* or a table with student_id",
+        ),
+        ("student_id\n1\n\n1\n", "has the student '1' twice, in the lines 2 and 4"),
+        ("student_id,name\n1,Lovelace, Ada\n", "line 2 of .* has 3 cells, and the header has 2. .* must be in quotes"),
+        ("student_id;name\n;Ada\n", "line 2 of roster.csv has no number of a student .Ada."),
+        ("student_id;name\n4,71E+11;Ada\n", "line 2 of roster.csv has the number '4,71E.11', which a spreadsheet has"),
         ("student_id,name\n", "names no student"),
         ('student_id\n"1\n', "is no CSV file"),
-        ("", "has the columns ;"),
+        ("", "has the columns of an empty file"),
     ],
 )
 def test_a_file_that_is_no_roster_is_refused_by_what_it_has(roster, text, said):

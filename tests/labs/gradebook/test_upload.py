@@ -6,7 +6,7 @@ import csv
 import io
 
 import pytest
-from made_rosters import CANVAS_FILE, MOODLE_FILE, PLAIN_FILE
+from made_rosters import CANVAS_FILE, GERMAN_FILE, MOODLE_FILE, PLAIN_FILE
 
 from labs.gradebook.deadlines import Lateness
 from labs.gradebook.roster import read_roster
@@ -120,6 +120,12 @@ def test_the_file_keeps_its_line_ends_and_its_first_bytes(roster, newline, mark)
             ["9.6", "3"],
             "column 'Grade', which has 20 points, so every mark of 100 is multiplied by 0.2",
         ),
+        (
+            "Identifier,Full name,Last modified (submission),Grade,Feedback comments\n"
+            "Participant 31,-,-,,-\nParticipant 32,+,-,,@\n",
+            ["48", ""],
+            "column 'Grade'; the file does not say its maximum, so the marks are of 100 points",
+        ),
     ],
 )
 def test_moodles_worksheet_comes_back_with_the_marks_in_it(roster, text, grades, said):
@@ -129,3 +135,23 @@ def test_moodles_worksheet_comes_back_with_the_marks_in_it(roster, text, grades,
     assert ([row["Grade"] for row in after], to.said) == (grades, said)
     for before, row in zip(rows(text), after, strict=True):
         assert row | {"Grade": ""} == before | {"Grade": "", "Full name": before["Full name"].replace("=", "'=")}
+
+
+def test_a_worksheet_in_another_language_that_excel_saved_comes_back_as_moodle_wrote_it(tmp_path):
+    path = tmp_path / "moodle.csv"
+    lines = [";".join(line) for line in csv.reader(io.StringIO(GERMAN_FILE))]
+    path.write_bytes("\r\n".join([*lines, ";;;;;;;", ""]).encode("cp1252"))
+    found = read_roster(path)
+    after = filled(found, marked(found, 60.0), target(found, "impulse"))
+    assert list(csv.reader(io.StringIO(after.removeprefix("\ufeff")))) == [
+        [cell if (at, place) != (1, 4) else "30" for place, cell in enumerate(line)]
+        for at, line in enumerate(csv.reader(io.StringIO(GERMAN_FILE)))
+    ]
+
+
+def test_canvas_gradebook_with_semicolons_and_two_columns_of_names_is_filled_as_it_is(roster):
+    text = "LastName;FirstName;ID;SIS Login ID;Section;impulse (90)\n    Points Possible;;;;;12,5\n=A;-;7;ada;S;\n"
+    found = roster(text)
+    to = target(found, "impulse")
+    assert to.possible == 12.5
+    assert filled(found, marked(found, 60.0), to) == text.replace("=A", "'=A").replace("S;\n", "S;7.5\n")
