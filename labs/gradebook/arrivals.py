@@ -25,10 +25,10 @@ from labs.gradebook.layouts import (
     TIMESTAMP,
     Owner,
     Submitter,
-    moment,
     owner_of,
     submitters,
 )
+from labs.gradebook.times import moment
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import FILE_LIMIT
 from reference.errors import InvalidInput
@@ -47,8 +47,8 @@ class Arrival:
     """What one student handed in.
 
     owner: whose it is, as far as the platform's names say. entry: the folder, archive or file that it came in. file:
-    its name there. read: gives its bytes. received: when, if the platform says so. notes: what the instructor should
-    know.
+    its name there. read: gives its bytes. received: when, if the platform says so. stamp: how nbgrader writes that.
+    notes: what the instructor should know.
     """
 
     owner: Owner
@@ -56,6 +56,7 @@ class Arrival:
     file: str
     read: Callable[[], bytes] = field(repr=False, compare=False)
     received: datetime | None = None
+    stamp: str = ""
     email: str = ""
     notes: tuple[str, ...] = ()
 
@@ -165,8 +166,9 @@ def arrival(entry: Path, owner: Owner, lab: str) -> Arrival | Missing:
         return Missing(owner, _shown(entry.name), f"{chosen.name} has {chosen.size / 2**20:.0f} MB, more than 10")
     if nbgrader and owner.platform == PLAIN:
         owner = replace(owner, platform=NBGRADER)
-    received = moment(nbgrader.read().decode("utf-8", "replace")) if nbgrader and nbgrader.size < FILE_LIMIT else None
-    return Arrival(owner, _shown(entry.name), chosen.name, chosen.read, received, notes=notes)
+    stamp = nbgrader.read().decode("utf-8", "replace").strip() if nbgrader and nbgrader.size < FILE_LIMIT else ""
+    received = moment(stamp) or moment(f"{stamp} UTC")  # nbgrader itself takes a time without a zone for UTC
+    return Arrival(owner, _shown(entry.name), chosen.name, chosen.read, received, stamp, notes=notes)
 
 
 _ANY = 4

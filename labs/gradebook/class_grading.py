@@ -10,7 +10,7 @@ from typing import Any
 from labs.assessment.shares import CODE, QUESTIONS, SHARES
 from labs.gradebook.arrivals import Arrival, Missing, arrivals
 from labs.gradebook.book import Book, Failures
-from labs.gradebook.deadlines import Deadlines
+from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, Deadlines
 from labs.gradebook.grading import Task
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster, clusters
@@ -20,9 +20,11 @@ from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.runs_compared import compared, spreads
 from labs.gradebook.tables import Mark, junit, plain_table
+from labs.gradebook.times import Received
 from labs.gradebook.upload import Target, filled
 from labs.gradebook.written import Codes, Given, Question, given_to, is_code_alone
 from labs.grading.judging.grade import write_private
+from labs.grading.safe_text import one_line
 
 FEEDBACK, CLASS, MARKS = "feedback.html", "class.html", "grades.csv"
 
@@ -45,6 +47,11 @@ class Class:
     def students(self) -> tuple[Student, ...]:
         """Everybody on the roster, and then the strangers."""
         return (*self.roster.students, *self.strangers.values())
+
+    @property
+    def call_late(self) -> set[str]:
+        """The platforms whose names call some of these submissions late: they have a deadline."""
+        return {arrival.owner.platform for arrival in self.handed.values() if arrival.owner.late}
 
 
 def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
@@ -141,8 +148,11 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
         if missing:
             return Mark(student, found.lab, 0.0, notes=(*notes, f"{missing.entry}: {missing.why}"))
         return Mark(student, found.lab, None, notes=(*notes, "nothing handed in"))
-    late = marker.deadlines.lateness(student.id, found.lab, arrival.received, arrival.owner.late)
+    received = _received(arrival, student)
+    late = marker.deadlines.lateness(student.id, found.lab, received, arrival.owner.platform in found.call_late)
     notes += arrival.notes
+    if received.stamp and late.said in (NO_TIME, CALLED_LATE):
+        notes.append(f"the platform's {one_line(received.stamp, 60)!r} is no time in a zone that is known")
     if student.id in marker.failures.said:
         return Mark(student, found.lab, None, late=late, notes=(*notes, marker.failures.said[student.id]))
     content = marker.book.grade_of(student.id)
@@ -159,6 +169,13 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     if is_code_alone(content):
         notes.append(f"a Python file, which holds no written answers: {SHARES[CODE]} points at most")
     return Mark(student, found.lab, points, left, late, content, tuple(notes))
+
+
+def _received(arrival: Arrival, student: Student) -> Received:
+    """When a submission came, as the platform says beside it, or else in its roster."""
+    if arrival.received is not None or arrival.stamp:
+        return Received(arrival.stamp, arrival.received, called_late=arrival.owner.late)
+    return replace(student.received, called_late=arrival.owner.late or student.received.called_late)
 
 
 def shared_mistakes(every: Sequence[Mark], marker: Marker, waiting: Sequence[Entry]) -> list[Cluster]:

@@ -29,13 +29,15 @@ from pathlib import Path
 from typing import Any
 
 from labs.gradebook.roster import Student
-from labs.gradebook.sheets import plain
+from labs.gradebook.sheets import plain, read_text
+from labs.gradebook.times import Received
 from reference import checks, lecture
 from reference.errors import InvalidInput, UnknownName, listed
 
 DAY = timedelta(days=1)
 NOTHING_OFF = "nothing is taken off"
 CALLED_LATE = f"late, says the platform, but not by how much: {NOTHING_OFF}"
+NO_TIME = f"at a time that nobody knows: {NOTHING_OFF}"
 ANYONE = "your instructor"
 _STUDENTS = "students"
 
@@ -71,15 +73,16 @@ class Deadlines:
         """The deadline of a student in a lab; None if there is none."""
         return self.own.get(student, {}).get(lab, self.due.get(lab))
 
-    def lateness(self, student: str, lab: str, received: datetime | None, called_late: bool = False) -> Lateness:
-        """How late a submission is that was received at a time.
+    def lateness(self, student: str, lab: str, received: Received, others_late: bool = False) -> Lateness:
+        """How late a submission is. Where nobody knows when it came, this costs nothing, and is said.
 
-        called_late: the platform calls it late and does not say when it came; this costs nothing, and is said.
+        others_late: whether the platform calls other submissions late; one that it does not call late is then in time.
         """
         due = self.of(student, lab)
-        if due is None or received is None:
-            return Lateness(said=CALLED_LATE) if called_late else Lateness()
-        over = received - due
+        over = None if due is None else received.after(due, self.due.get(lab))
+        if over is None:
+            unknown = "" if due is None or others_late else NO_TIME
+            return Lateness(said=CALLED_LATE if received.called_late else unknown)
         if over <= self.grace:
             return Lateness()
         begun = math.ceil(over / DAY)
@@ -116,10 +119,10 @@ def read_deadlines(path: Path) -> Deadlines:
         If the file is missing, is no TOML, or has a name or value that it may not have.
     """
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        content = tomllib.loads(read_text(path))
     except OSError as error:
         raise InvalidInput(f"cannot read the rules {str(path)!r}: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except tomllib.TOMLDecodeError as error:
         raise InvalidInput(f"{str(path)!r} is no TOML file: {error}") from None
     _only(content, {"due", "late", "regrade"}, "the rules")
     due, late, ask = dict(_table(content, "due")), _table(content, "late"), _table(content, "regrade")

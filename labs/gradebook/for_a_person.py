@@ -13,7 +13,7 @@ from labs.gradebook import written
 from labs.gradebook.arrivals import EARLIER, Arrival
 from labs.gradebook.book import Failures
 from labs.gradebook.class_grading import MARKS, Class
-from labs.gradebook.deadlines import CALLED_LATE
+from labs.gradebook.deadlines import CALLED_LATE, NO_TIME
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster
 from labs.gradebook.tables import Mark
@@ -50,6 +50,11 @@ def left_to_do(
         )
     if late := [mark.student.id for mark in every if mark.late.said == CALLED_LATE]:
         yield f"{_of(late, 'late, but the platform does not say by how much')}. Nothing is taken off."
+    if unknown := [mark.student.id for mark in every if mark.late.said == NO_TIME]:
+        yield (
+            f"{_of(unknown, 'of whom nobody knows when they handed in')}. Nothing is taken off, although the rules set"
+            " a deadline."
+        )
     if left := sum(mark.open > 0 for mark in every):
         place = folder / written.FOLDER
         yield (

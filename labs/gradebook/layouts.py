@@ -17,6 +17,8 @@ from datetime import datetime
 from pathlib import PurePosixPath
 from typing import Any
 
+from labs.gradebook.times import moment
+
 CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN = "Canvas", "Gradescope", "Moodle", "nbgrader", "plain"
 METADATA = "submission_metadata.yml"
 """Gradescope's file of who handed in what."""
@@ -95,15 +97,3 @@ def submitters(metadata: Any) -> dict[str, list[Submitter]]:
             if isinstance(person, dict)
         ]
     return found
-
-
-def moment(value: object) -> datetime | None:
-    """A time with its zone, from what a platform writes; None if it is none."""
-    if isinstance(value, datetime):
-        return value if value.tzinfo else None
-    text = re.sub(r" UTC$", "+00:00", str(value).strip())
-    try:
-        found = datetime.fromisoformat(text)
-    except ValueError:
-        return None
-    return found if found.tzinfo else None

@@ -16,7 +16,6 @@ from zoneinfo import ZoneInfo, available_timezones
 
 from labs.gradebook.sheets import plain
 
-HOUR = timedelta(hours=1)
 _STAMP = re.compile(r"(\d{4}-\d\d-\d\d[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?) *(.*)")
 _OFFSET = re.compile(r"(?:UTC|GMT)? ?([+-])(\d{1,2})(?::?([0-5]\d))?", re.IGNORECASE)
 _UNIVERSAL = ("Z", "UTC", "UT", "GMT")
@@ -70,15 +69,14 @@ def _zone(name: str, clock: datetime, due: datetime | None) -> tzinfo | None:
         return UTC
     if found := _OFFSET.fullmatch(name):
         offset = timedelta(hours=int(found[2]), minutes=int(found[3] or 0))
-        return timezone(-offset if found[1] == "-" else offset) if offset < 24 * HOUR else None
-    offsets = {each.utcoffset(clock) for each in _zones().values() if each.tzname(clock) == name}
+        return timezone(-offset if found[1] == "-" else offset) if offset < timedelta(days=1) else None
+    fit = [each for each in _zones().values() if each.tzname(clock) == name]
+    offsets = {each.utcoffset(clock) for each in fit}
     if len(offsets) > 1 and due is not None:
-        own = due.utcoffset() or timedelta(0)
-        offsets = {each for each in offsets if each is not None and abs(each - own) <= HOUR}  # summer time is an hour
-    if offsets:
-        offset_found = offsets.pop()
-        return timezone(offset_found) if offset_found is not None and not offsets else None
-    return _zones().get(name)
+        offsets = {each.utcoffset(clock) for each in fit if due.astimezone(each).utcoffset() == due.utcoffset()}
+    if not fit:
+        return _zones().get(name)
+    return next((timezone(each) for each in offsets if each is not None), None) if len(offsets) == 1 else None
 
 
 @cache

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from labs.gradebook.mistakes.same_numbers import Numbers
+from labs.gradebook.sheets import read_text
 from labs.grading.diagnosis.probes import probed
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
@@ -77,11 +78,11 @@ def read_entries(path: Path) -> list[Entry]:
 def text_in(path: Path) -> str:
     """The text of a file; empty if there is none. Raises `InvalidInput` if it cannot be read."""
     try:
-        return path.read_text(encoding="utf-8-sig")
+        return read_text(path)
     except FileNotFoundError:
         return ""
-    except (OSError, UnicodeDecodeError) as error:
-        raise InvalidInput(f"cannot read {str(path)!r}: {error}") from None
+    except OSError as error:
+        raise InvalidInput(f"cannot read {str(path)!r}: {error.strerror}") from None
 
 
 def entries_of(text: str, name: str) -> list[Entry]:

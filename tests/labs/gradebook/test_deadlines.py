@@ -6,9 +6,10 @@ from datetime import datetime, timedelta
 
 import pytest
 
-from labs.gradebook.deadlines import CALLED_LATE, read_deadlines
+from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, read_deadlines
 from labs.gradebook.layouts import CANVAS
 from labs.gradebook.roster import Student
+from labs.gradebook.times import Received
 from reference.errors import CollisionsError
 
 RULES = """\
@@ -25,6 +26,10 @@ most_days = 4
 impulse = 2026-12-07T23:59:00+01:00
 """
 DUE = datetime.fromisoformat("2026-11-30T23:59:00+01:00")
+
+
+def at(moment: datetime) -> Received:
+    return Received(at=moment)
 
 
 @pytest.fixture
@@ -50,24 +55,27 @@ def rules(tmp_path):
     ],
 )
 def test_each_day_that_has_begun_costs_after_grace_and_free_days(rules, hours, share, said):
-    found = rules().lateness("4712", "impulse", DUE + timedelta(hours=hours))
+    found = rules().lateness("4712", "impulse", at(DUE + timedelta(hours=hours)))
     assert (found.share, found.said) == (pytest.approx(share), said)
 
 
 def test_a_student_may_have_a_deadline_of_their_own(rules):
-    assert rules().lateness("4711", "impulse", DUE + timedelta(days=6)).share == 1.0
-    assert rules().lateness("4711", "impulse", DUE + timedelta(days=9)).share == pytest.approx(0.8)
+    assert rules().lateness("4711", "impulse", at(DUE + timedelta(days=6))).share == 1.0
+    assert rules().lateness("4711", "impulse", at(DUE + timedelta(days=9))).share == pytest.approx(0.8)
 
 
 def test_where_nobody_knows_when_it_came_nothing_is_taken_off(rules):
-    assert rules().lateness("4712", "impulse", None, called_late=True).share == 1.0
-    assert rules().lateness("4712", "impulse", None, called_late=True).said == CALLED_LATE
+    called = Received(called_late=True)
+    assert rules().lateness("4712", "impulse", called).share == 1.0
+    assert rules().lateness("4712", "impulse", called).said == CALLED_LATE
     assert CALLED_LATE.endswith("but not by how much: nothing is taken off")
-    assert rules().lateness("4712", "detection", DUE + timedelta(days=99)).said == ""
+    assert rules().lateness("4712", "detection", at(DUE + timedelta(days=99))).said == ""
 
 
 def test_where_no_rule_says_what_lateness_costs_it_costs_nothing_and_that_is_said(rules):
-    found = rules("[due]\nimpulse = 2026-11-30T23:59:00+01:00\n").lateness("1", "impulse", DUE + timedelta(hours=25))
+    found = rules("[due]\nimpulse = 2026-11-30T23:59:00+01:00\n").lateness(
+        "1", "impulse", at(DUE + timedelta(hours=25))
+    )
     assert (found.share, found.said) == (1.0, "2 days late: nothing is taken off")
 
 
@@ -104,3 +112,39 @@ def test_a_course_says_whom_to_ask_about_a_mark_and_for_how_long(rules):
 def test_rules_that_cannot_be_meant_are_refused_by_name(rules, text, said):
     with pytest.raises(CollisionsError, match=said):
         rules(text)
+
+
+@pytest.mark.parametrize("stamp", ["", "2026-12-04 15:58:23 XYZ", "2026-12-04 15:58:23 IST", "4.12.2026", "yesterday"])
+def test_a_time_that_nobody_can_read_is_never_silent_where_there_is_a_deadline(rules, stamp):
+    found = rules().lateness("4712", "impulse", Received(stamp))
+    assert (found.share, found.said) == (1.0, NO_TIME)
+    assert rules().lateness("4712", "detection", Received(stamp)).said == ""
+    assert rules().lateness("4712", "impulse", Received(stamp), others_late=True).said == ""
+
+
+@pytest.mark.parametrize(
+    ("received", "said"),
+    [
+        (Received("2026-12-04 15:58:23.948203 America/Los_Angeles"), "5 days late, 1 of them free"),
+        (Received("2026-12-01 23:59:00 CET"), "1 day late, 1 of them free"),
+        (Received("2026-12-01 23:59 +0200"), "1 day late, 1 of them free"),
+        (Received("2026-11-30T22:59:00Z"), ""),
+        (Received(at=datetime(2026, 12, 2, 0, 0)), "2 days late, 1 of them free"),
+        (Received(late_by=timedelta(days=1, hours=2)), "2 days late, 1 of them free"),
+        (Received(at=datetime(2026, 11, 30, 12, 0), late_by=timedelta(days=9)), ""),
+    ],
+)
+def test_lateness_is_read_from_zones_clocks_and_durations(rules, received, said):
+    assert rules().lateness("4712", "impulse", received).said == said
+
+
+def test_a_duration_counts_from_the_deadline_that_everybody_has(rules):
+    assert rules().lateness("4711", "impulse", Received(late_by=timedelta(days=6))).said == ""
+    assert rules().lateness("4711", "impulse", Received(late_by=timedelta(days=8))).said == "1 day late, 1 of them free"
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+def test_rules_that_an_editor_saved_in_its_own_way_are_read(tmp_path, encoding):
+    path = tmp_path / "course.toml"
+    path.write_bytes('# für alle\r\n[regrade]\r\ncontact = "Zoë"\r\n'.encode(encoding))
+    assert read_deadlines(path).contact == "Zoë"
