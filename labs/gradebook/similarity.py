@@ -25,16 +25,16 @@ D = TypeVar("D", Group, Excerpt)
 def own_code(path: Path, lab: str) -> str:
     """What a file has of the student's own: the functions of the lab that are written, and helpers of their own.
 
-    Layout, comments and docstrings are left out, since a copy often differs in these alone. Empty if nothing is written
-    or the file cannot be read.
+    Layout, comments and docstrings are left out, since a copy often differs in these alone. Empty if nothing is
+    written, or the file cannot be read or written in one layout: Python writes no integer of 5000 digits.
     """
     names = [entry.name for entry in lecture.functions_of(lab) if entry.role == "written"]
     try:
         tree = ast.parse(read(path, names).text)
+        own = [node for node in tree.body if not isinstance(node, ast.Import | ast.ImportFrom) and not is_stub(node)]
+        texts = [text for text in map(_bare, own) if text not in _given(lab)]
     except (UnreadableSubmission, SyntaxError, ValueError, RecursionError, MemoryError):
         return ""
-    own = [node for node in tree.body if not isinstance(node, ast.Import | ast.ImportFrom) and not is_stub(node)]
-    texts = [text for text in map(_bare, own) if text not in _given(lab)]
     return "\n\n\n".join(texts) + "\n" * bool(texts)
 
 

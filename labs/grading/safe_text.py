@@ -25,6 +25,11 @@ def one_line(text: str, limit: int = 300) -> str:
     return " ".join(plain(text, limit).split())
 
 
+def cause_of(error: BaseException) -> str:
+    """An exception that nobody expected, on one line: its type, and its message if it has one."""
+    return one_line(f"{type(error).__name__}: {error}".rstrip(": "), 200)
+
+
 def _visible(character: str) -> str:
     if character in "\n\t" or unicodedata.category(character) not in _HIDDEN:
         return character

@@ -6,6 +6,7 @@ import json
 import multiprocessing
 import os
 import signal
+import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 
@@ -111,6 +112,16 @@ def test_two_graders_on_one_folder_do_not_meet(book):
         pass
 
 
+UNEXPECTED = {
+    "value": ValueError("Exceeds the limit (4300 digits) for integer string conversion"),
+    "memory": MemoryError(),
+    "deep": RecursionError("maximum recursion depth exceeded"),
+    "exit": SystemExit(3),
+    "two lines": OSError(5, "Input/output\nerror"),
+}
+"""What nobody expects of the grading of a submission, by the student's number."""
+
+
 def _by_name(task: Task) -> Graded:
     """Instead of grading: dies, fails or grades, as the student's number says."""
     if task.student.startswith("dies"):
@@ -119,6 +130,10 @@ def _by_name(task: Task) -> Graded:
         raise GraderFailed("no process could be started")
     if task.student.startswith("in line"):
         raise MachineBusy
+    if task.student in UNEXPECTED:
+        raise UNEXPECTED[task.student]
+    while task.student.startswith("has no end"):
+        time.sleep(0.1)
     return graded(task)
 
 
@@ -135,12 +150,54 @@ def test_a_worker_that_dies_costs_its_own_submission_alone(book, pool):
     failures = Failures()
     run((replace(TASK, student=each) for each in students), Workers(2, pool), book.keep, failures)
     assert failures.said == {
-        "dies": "the process that graded it died twice",
+        "dies": "it could not be graded: the process that graded it died twice",
         "fails": "no process could be started",
         "in line": str(MachineBusy()),
     }
     assert failures.busy == {"in line"}
     assert {each for each in students if book.grade_of(each)} == {*students} - failures.said.keys()
+
+
+def test_what_the_grading_of_a_submission_raises_stops_no_other(book, pool):
+    students = ["1", *UNEXPECTED, "2", "3"]
+    failures = Failures()
+    run((replace(TASK, student=each) for each in students), Workers(2, pool), book.keep, failures)
+    assert failures.said == {
+        "value": "it could not be graded: ValueError: Exceeds the limit (4300 digits) for integer string conversion",
+        "memory": "it could not be graded: MemoryError",
+        "deep": "it could not be graded: RecursionError: maximum recursion depth exceeded",
+        "exit": "it could not be graded: SystemExit: 3",
+        "two lines": "it could not be graded: OSError: [Errno 5] Input/output error",
+    }
+    assert not failures.busy
+    assert {each for each in students if book.grade_of(each)} == {"1", "2", "3"}
+
+
+def test_a_full_disk_stops_the_run_and_blames_no_submission(book, pool):
+    def full(_):
+        raise OSError(28, "No space left on device")
+
+    failures = Failures()
+    with pytest.raises(OSError, match="No space"):
+        run([replace(TASK, student=each) for each in "123"], Workers(1, pool), full, failures)
+    assert failures.said == {}
+
+
+@pytest.mark.slow
+def test_a_submission_without_an_end_is_stopped_and_the_others_are_graded(book, pool, monkeypatch):
+    monkeypatch.setattr(book_module, "_PATIENCE", 1.0)
+
+    def stop():
+        for process in multiprocessing.active_children():
+            process.kill()
+
+    students = ["1", "has no end", "2", "has no end either", "3", "4", "5"]
+    failures = Failures()
+    tasks = (replace(TASK, student=each, seconds=1.0) for each in students)
+    run(tasks, Workers(2, pool, stop), book.keep, failures)
+    assert failures.said.keys() == {"has no end", "has no end either"}
+    assert set(failures.said.values()) == {"it could not be graded: it was stopped after 0 minutes"}
+    assert {each for each in students if book.grade_of(each)} == {"1", "2", "3", "4", "5"}
 
 
 def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch):
