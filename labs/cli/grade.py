@@ -106,7 +106,7 @@ def grade(
     home = folder_for("the grades", out, "--out", private=True)
     with _resumable(book, found), home, book.alone(), machines as graders:
         gone = book.withdraw_others(found.handed, topic)
-        _grade_all(book, found, tasks(found, release, seconds, runs), graders, failures)
+        _grade_all(book, found, tasks(found, release, seconds, runs, failures), graders, failures)
         code_alone = sum(map(written.is_code_alone, map(book.grade_of, found.handed)))
         written.write_questions(out, topic, answers(found, book), code_alone)
         asked, place = written.questions(topic), out / written.FOLDER

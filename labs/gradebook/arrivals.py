@@ -1,22 +1,22 @@
 """Finds the submissions in a folder as a platform delivers it: one file for each student, and what was odd about it.
 
-Threat: names, links and archives are hostile. Links are not followed, nothing is unpacked to the disk, and of an
-archive one file is read, up to the size that the grader reads anyway. Nothing is run here.
+All entries of a student's last attempt are one submission, since Canvas delivers each file by itself. Nothing is run
+here; what files, links and archives could do to us is the subject of `delivered_files`.
 """
 
 from __future__ import annotations
 
+import contextlib
 import stat
-import zipfile
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
-from itertools import islice
-from pathlib import Path, PurePosixPath
+from functools import partial
+from pathlib import Path
 
+from labs.gradebook.chosen_file import Candidate, Entry, choice, in_words, listed
+from labs.gradebook.delivered_files import DeliveredFile, delivered, is_hidden, shown
 from labs.gradebook.layouts import (
-    CANVAS,
     GRADESCOPE,
     METADATA,
     NBGRADER,
@@ -29,17 +29,17 @@ from labs.gradebook.layouts import (
     submitters,
 )
 from labs.gradebook.times import moment
+from labs.grading.errors import UnreadableSubmission
 from labs.grading.safe_text import one_line
-from labs.grading.submission.cells import FILE_LIMIT
+from labs.grading.submission.opening import is_notebook_or_python, most_bytes
 from reference.errors import InvalidInput
 
 EARLIER = "came before it"
 """What a note says of earlier attempts, which need nobody."""
-MOST_FILES, DEEPEST = 5000, 6
-"""So many files of one entry are looked at, in folders so deep. A release through the impulse lab has 841."""
-_NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
 _SUBMITTED = "submitted"
 """nbgrader's folder of what was handed in."""
+_TIME = 1000
+"""Bytes of the longest file that says when."""
 
 
 @dataclass(frozen=True)
@@ -63,20 +63,17 @@ class Arrival:
 
 @dataclass(frozen=True)
 class Missing:
-    """An entry from which nothing can be graded, and why."""
+    """An entry from which nothing can be graded, and why.
+
+    unreadable_here: whether this machine is to blame and not the submission. stray: whether it may be no submission at
+    all, but a file that lies among them.
+    """
 
     owner: Owner
     entry: str
     why: str
-
-
-@dataclass(frozen=True)
-class _File:
-    """A file of an entry: where it is there, how to read it, how large it is."""
-
-    name: str
-    size: int
-    read: Callable[[], bytes] = field(repr=False)
+    unreadable_here: bool = False
+    stray: bool = False
 
 
 def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
@@ -85,28 +82,44 @@ def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
     Raises
     ------
     InvalidInput
-        If there is no such folder, or nothing in it.
+        If there is no such folder, it cannot be listed, or nothing in it is a submission.
     """
-    folder = _with_students(folder)
-    known = _gradescope(folder)
-    found: dict[tuple[str, str], list[Arrival | Missing]] = {}
-    for entry in sorted(folder.iterdir()):
-        if entry.name in (METADATA, *_NOT_THEIRS) or not _may_be_submission(entry):
-            continue
-        for owner, who in _owners(entry, known):
-            arrived = arrival(entry, owner, lab)
-            if who and isinstance(arrived, Arrival):
-                arrived = replace(arrived, received=who.received, email=who.email)
-            found.setdefault((owner.platform, owner.key), []).append(arrived)
-    if not found:
+    try:
+        folder = _with_students(folder)
+        known, paths = _gradescope(folder), sorted(folder.iterdir())
+    except OSError as error:
+        raise InvalidInput(f"the folder {str(folder)!r} cannot be read: {error.strerror}") from None
+    found: dict[tuple[str, str], list[tuple[Entry, Submitter | None]]] = {}
+    for path in paths:
+        for owner, person in () if path.name == METADATA or is_hidden(path.name) else _owners(path, known):
+            found.setdefault((owner.platform, owner.key), []).append((Entry(path, owner), person))
+    last = sorted((_last(each, lab) for each in found.values()), key=lambda each: each.entry)
+    missing = [each for each in last if isinstance(each, Missing)]
+    if all(each.stray for each in missing) and len(missing) == len(last):
         raise InvalidInput(f"{str(folder)!r} holds no submission: neither folders of students nor notebooks")
-    last = [_last(each) for each in found.values()]
-    return [each for each in last if isinstance(each, Arrival)], [each for each in last if isinstance(each, Missing)]
+    return [each for each in last if isinstance(each, Arrival)], missing
 
 
-def _shown(name: str) -> str:
-    """A name of the file system as text: bytes that are no UTF-8 become escapes."""
-    return name.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")
+def arrival(path: Path, owner: Owner, lab: str) -> Arrival | Missing:
+    """The file of an entry that is graded, or why there is none."""
+    return _submission([Entry(path, owner)], lab)
+
+
+def arrival_with_content(path: Path, owner: Owner, lab: str) -> tuple[Arrival, bytes] | Missing:
+    """The file of an entry that is graded, and its bytes, or why there is none."""
+    found = arrival(path, owner, lab)
+    if isinstance(found, Missing):
+        return found
+    content = content_of(found)
+    return content if isinstance(content, Missing) else (found, content)
+
+
+def content_of(arrived: Arrival) -> bytes | Missing:
+    """The bytes of the file, or why they cannot be had. What the system refuses is raised: no student is to blame."""
+    try:
+        return arrived.read()
+    except UnreadableSubmission as error:
+        return Missing(arrived.owner, arrived.entry, f"{arrived.file}: {error}")
 
 
 def _with_students(folder: Path) -> Path:
@@ -126,123 +139,93 @@ def _gradescope(folder: Path) -> dict[str, list[Submitter]]:
         raise InvalidInput(f'{METADATA} is read with PyYAML: pip install -e ".[dev]"') from None
     try:
         return submitters(yaml.safe_load(file.read_text(encoding="utf-8")))
-    except (yaml.YAMLError, ValueError, RecursionError) as error:
+    except (yaml.YAMLError, OSError, ValueError, RecursionError) as error:
         raise InvalidInput(f"{METADATA} cannot be read: {one_line(str(error))}") from None
 
 
-def _may_be_submission(entry: Path) -> bool:
-    return entry.is_dir() or (entry.suffix.lower() in SUFFIXES and not entry.name.startswith("."))
-
-
-def _owners(entry: Path, known: dict[str, list[Submitter]]) -> Iterator[tuple[Owner, Submitter | None]]:
+def _owners(path: Path, known: dict[str, list[Submitter]]) -> Iterator[tuple[Owner, Submitter | None]]:
     """Whose an entry is: a submission of a group belongs to each of its members."""
-    owner = owner_of(_shown(entry.name))
+    owner = owner_of(shown(path.name), not _is_folder(path))
     if owner.platform != GRADESCOPE or not known.get(owner.key):
         yield owner, None
         return
     for person in known[owner.key]:
-        yield Owner(GRADESCOPE, person.key or person.email or person.name, person.name), person
+        yield Owner(GRADESCOPE, person.key or person.email or person.name, person.name, owner.attempt), person
 
 
-def arrival(entry: Path, owner: Owner, lab: str) -> Arrival | Missing:
-    """The file of an entry that is graded, or why there is none."""
-    if entry.is_symlink():
-        return Missing(owner, _shown(entry.name), "it is a link, which is not followed")
+def _is_folder(path: Path) -> bool:
     try:
-        files = list(_files(entry))
-    except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError) as error:
-        return Missing(owner, _shown(entry.name), f"it cannot be opened: {one_line(str(error))}")
-    nbgrader = next((each for each in files if PurePosixPath(each.name).name == TIMESTAMP), None)
-    candidates = [each for each in files if each.name.lower().endswith((".ipynb", ".py"))]
-    wanted = sorted(candidates, key=lambda each: (_rank(each.name, lab), each.name))
-    if not wanted:
-        return Missing(owner, _shown(entry.name), "it holds neither a notebook nor a .py file")
-    best = [each for each in wanted if _rank(each.name, lab) == _rank(wanted[0].name, lab)]
-    if _rank(best[0].name, lab) == _ANY and len(best) > 1:
-        return Missing(owner, _shown(entry.name), f"it holds {_some(best)}, and none is named {lab}")
-    chosen = best[0]
-    notes = (f"it holds {_some(best)}; {chosen.name} is graded",) if len(best) > 1 else ()
-    if chosen.size > FILE_LIMIT:
-        return Missing(owner, _shown(entry.name), f"{chosen.name} has {chosen.size / 2**20:.0f} MB, more than 10")
-    if nbgrader and owner.platform == PLAIN:
-        owner = replace(owner, platform=NBGRADER)
-    stamp = nbgrader.read().decode("utf-8", "replace").strip() if nbgrader and nbgrader.size < FILE_LIMIT else ""
-    received = moment(stamp) or moment(f"{stamp} UTC")  # nbgrader itself takes a time without a zone for UTC
-    return Arrival(owner, _shown(entry.name), chosen.name, chosen.read, received, stamp, notes=notes)
+        return stat.S_ISDIR(path.lstat().st_mode)
+    except OSError:
+        return False
 
 
-_ANY = 4
-
-
-def _rank(name: str, lab: str) -> int:
-    """How likely a file is to be the one of a lab: 0 for the notebook of its name."""
-    path = PurePosixPath(name.lower())
-    if path.stem == lab:
-        return 0 if path.suffix == ".ipynb" else 1
-    if lab in path.parts[:-1] or lab in path.stem:
-        return 2 if path.suffix == ".ipynb" else 3
-    return _ANY
-
-
-def _some(files: Iterable[_File]) -> str:
-    names = [each.name for each in files]
-    return " and ".join(names) if len(names) < 3 else f"{names[0]} and {len(names) - 1} others like it"
-
-
-def _last(each: list[Arrival | Missing]) -> Arrival | Missing:
+def _last(entries: Sequence[tuple[Entry, Submitter | None]], lab: str) -> Arrival | Missing:
     """The last attempt of one student, with a note of the others."""
-    *before, last = sorted(each, key=lambda one: (one.owner.attempt, one.entry))
-    if before and isinstance(last, Arrival):
-        names, are = ", ".join(one.entry for one in before), "is" if len(before) == 1 else "are"
-        note = f"{names} {EARLIER} and {are} not graded"
-        return replace(last, notes=(*last.notes, note))
-    return last
+    attempt = max(entry.owner.attempt for entry, _ in entries)
+    now = [(entry, person) for entry, person in entries if entry.owner.attempt == attempt]
+    found, person = _submission([entry for entry, _ in now], lab), now[0][1]
+    if isinstance(found, Missing):
+        return found
+    if person is not None:
+        found = replace(found, received=person.received, email=person.email)
+    if before := [entry.name for entry, _ in entries if entry.owner.attempt < attempt]:
+        note = f"{', '.join(before)} {EARLIER} and {'is' if len(before) == 1 else 'are'} not graded"
+        found = replace(found, notes=(*found.notes, note))
+    return found
 
 
-def _files(entry: Path) -> Iterator[_File]:
-    """The ordinary files of an entry."""
-    if entry.is_dir():
-        yield from _in_folder(entry)
-    elif entry.suffix.lower() == ".zip":
-        yield from _in_archive(entry)
-    else:
-        owner = owner_of(_shown(entry.name))
-        name = owner.file if owner.platform == CANVAS else _shown(entry.name)
-        yield _File(name, entry.stat().st_size, entry.read_bytes)
+def _submission(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
+    """What one student handed in, in one entry or in several."""
+    inside = [(entry, delivered(entry.path, entry.owner.file or entry.name)) for entry in entries]
+    files = [(entry, file) for entry, there in inside for file in there.files]
+    named = [f"{entry.name}: " * (len(entries) > 1) + said for entry, there in inside for said in there.troubles]
+    chosen = choice(files, lab)
+    if chosen.file is None:
+        if chosen.others:
+            why = f"it holds {listed(chosen.others)}, and none is named {lab}"
+        else:
+            why = _nothing([file for _, file in files]) if not named else ""
+        here = any(there.unreadable_here for _, there in inside)
+        return Missing(entries[0].owner, entries[0].name, "; ".join(filter(None, [why, *named])), here, _stray(entries))
+    entry, file = chosen.file.entry, chosen.file.file
+    if file.shut:
+        return Missing(entry.owner, entry.name, f"{file.name} {file.shut}")
+    if file.size > (most := most_bytes(file.name)):
+        size = f"{file.size / 2**20:.0f} MB, more than {most / 2**20:.0f}"
+        return Missing(entry.owner, entry.name, f"{file.name} has {size}")
+    other = [f"it holds {listed([chosen.file, *chosen.others])}; {_called(chosen.file, entries)} is graded"]
+    stamp = _timestamp([file for _, file in files])
+    owner = replace(entry.owner, platform=NBGRADER) if stamp and entry.owner.platform == PLAIN else entry.owner
+    received = moment(stamp) or moment(f"{stamp} UTC")  # nbgrader itself takes a time without a zone for UTC
+    notes = (*other * bool(chosen.others), *named)
+    return Arrival(owner, entry.name, file.name, partial(file.read, most + 1), received, stamp, notes=notes)
 
 
-def _in_folder(folder: Path) -> Iterator[_File]:
-    waiting, left = deque([folder]), MOST_FILES
-    while waiting and left:
-        for path in sorted(path for path in waiting.popleft().iterdir() if not _is_hidden(path.name))[:left]:
-            left -= 1
-            name = _shown(path.relative_to(folder).as_posix())
-            if path.is_symlink():
-                continue
-            if path.is_dir() and len(PurePosixPath(name).parts) < DEEPEST:
-                waiting.append(path)
-            elif path.is_file():
-                yield _File(name, path.stat().st_size, path.read_bytes)
+def _called(file: Candidate, entries: Sequence[Entry]) -> str:
+    return file.entry.name if len(entries) > 1 else file.file.name
 
 
-def _in_archive(path: Path) -> Iterator[_File]:
-    with zipfile.ZipFile(path) as archive:
-        theirs = (info for info in archive.infolist() if not info.is_dir() and not _is_hidden(info.filename))
-        for info in islice(theirs, MOST_FILES):
-            if not stat.S_ISLNK(info.external_attr >> 16):
-                yield _File(info.filename, info.file_size, _reader(path, info))
+def _timestamp(files: Sequence[DeliveredFile]) -> str:
+    """When a submission was handed in, as nbgrader writes it; empty if it does not."""
+    for file in files:
+        if file.path.name == TIMESTAMP and not file.shut:
+            with contextlib.suppress(OSError, UnreadableSubmission):
+                return file.read(_TIME).decode("utf-8", "replace").strip()
+    return ""
 
 
-def _reader(path: Path, info: zipfile.ZipInfo) -> Callable[[], bytes]:
-    """Reads one file of an archive, and no more than the grader would: a header may lie about the size."""
-
-    def read() -> bytes:
-        with zipfile.ZipFile(path) as archive, archive.open(info) as file:
-            return file.read(FILE_LIMIT + 1)
-
-    return read
+def _nothing(files: Sequence[DeliveredFile]) -> str:
+    only = f", only {in_words([file.name for file in files])}" if files else ""
+    return f"there is neither a notebook nor a .py file{only}"
 
 
-def _is_hidden(name: str) -> bool:
-    parts = [part for part in PurePosixPath(name).parts if part not in (".", "..")]
-    return any(part.startswith(".") or part in _NOT_THEIRS for part in parts)
+def _stray(entries: Sequence[Entry]) -> bool:
+    """Whether nothing says that these are anybody's: files with free names, such as `canvas.csv`."""
+    return all(
+        each.owner.platform == PLAIN
+        and not _is_folder(each.path)
+        and each.path.suffix.lower() not in SUFFIXES
+        and not is_notebook_or_python(each.name)
+        for each in entries
+    )

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from labs.assessment.shares import CODE, QUESTIONS, SHARES
-from labs.gradebook.arrivals import Arrival, Missing, arrivals
+from labs.gradebook.arrivals import Arrival, Missing, arrivals, content_of
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, Deadlines
 from labs.gradebook.grading import Task
@@ -34,7 +34,8 @@ class Class:
     """The submissions of one lab, by student.
 
     handed: what each student handed in. unusable: entries from which nothing can be graded, with the student if known.
-    strangers: arrivals of nobody on the roster; they are graded under the platform's own number.
+    strangers: arrivals of nobody on the roster; they are graded under the platform's own number. strays: names of files
+    that are no submission and nobody's.
     """
 
     lab: str
@@ -42,6 +43,7 @@ class Class:
     handed: dict[str, Arrival] = field(default_factory=dict)
     unusable: dict[str, Missing] = field(default_factory=dict)
     strangers: dict[str, Student] = field(default_factory=dict)
+    strays: list[str] = field(default_factory=list)
 
     @property
     def students(self) -> tuple[Student, ...]:
@@ -63,7 +65,7 @@ def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
         If there is no such folder, or nothing in it.
     """
     there, unusable = arrivals(folder, lab)
-    owners = [*(each.owner for each in there), *(each.owner for each in unusable)]
+    owners = [*(each.owner for each in there), *(each.owner for each in unusable if not each.stray)]
     found = Class(lab, roster or of_everybody(dict.fromkeys(owners)))
     for arrival in sorted(there, key=lambda each: each.received.timestamp() if each.received else 0.0):
         student = _student(found, arrival)
@@ -74,6 +76,9 @@ def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
         else:
             found.handed[student.id] = arrival
     for missing in unusable:
+        if missing.stray and found.roster.owner(missing.owner) is None:
+            found.strays.append(missing.entry)
+            continue
         student = _student(found, missing)
         if student.id not in found.handed:
             found.unusable[student.id] = missing
@@ -90,11 +95,25 @@ def _student(found: Class, entry: Arrival | Missing) -> Student:
     return student
 
 
-def tasks(found: Class, release: str, seconds: float, with_runs: bool) -> Iterator[Task]:
-    """The submissions as tasks; each is read only when it is wanted."""
+def tasks(found: Class, release: str, seconds: float, with_runs: bool, failures: Failures) -> Iterator[Task]:
+    """The submissions as tasks; each is read only when it is wanted.
+
+    One that is damaged joins those from which nothing can be graded, and what else cannot be read the failures.
+    """
     names = {student.id: student.name for student in found.students}
+    for student, missing in found.unusable.items():
+        if missing.unreadable_here:
+            failures.said[student] = f"it could not be graded: {missing.why}"
     for student, arrival in sorted(found.handed.items()):
-        content = arrival.read()
+        try:
+            content = content_of(arrival)
+        except Exception as error:  # it belongs to this submission, whatever it is
+            failures.add(student, error)
+            continue
+        if isinstance(content, Missing):
+            found.unusable[student] = content
+            del found.handed[student]
+            continue
         yield Task(
             student,
             names.get(student, ""),
@@ -146,7 +165,8 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     arrival, missing = found.handed.get(student.id), found.unusable.get(student.id)
     if arrival is None:
         if missing:
-            return Mark(student, found.lab, 0.0, notes=(*notes, f"{missing.entry}: {missing.why}"))
+            points = None if missing.unreadable_here else 0.0
+            return Mark(student, found.lab, points, notes=(*notes, f"{missing.entry}: {missing.why}"))
         return Mark(student, found.lab, None, notes=(*notes, "nothing handed in"))
     received = _received(arrival, student)
     late = marker.deadlines.lateness(student.id, found.lab, received, arrival.owner.platform in found.call_late)

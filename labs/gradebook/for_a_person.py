@@ -39,8 +39,13 @@ def left_to_do(
     if found.strangers:
         yield f"{_of([*found.strangers], 'not on the roster')}. Their marks are in {MARKS}, but in no file to upload."
     unread = [mark.student.id for mark in every if mark.content and "unreadable" in mark.content]
-    if unread := [*unread, *found.unusable]:
+    if unread := [*unread, *(student for student in found.unusable if student not in failures.said)]:
         yield f"{_of(unread, 'with nothing that could be graded')}. {notes} say why; ask for another file."
+    if found.strays:
+        yield (
+            f"{_of(found.strays, 'among the submissions that no student handed in')}. A file is a student's if its name"
+            " is the student's number, or as the platform writes it."
+        )
     if several := [student for student, arrival in found.handed.items() if _is_odd(arrival)]:
         yield f"{_of(several, 'with several files for this lab')}. {notes} say which was graded."
     if alone := [mark.student.id for mark in every if is_code_alone(mark.content)]:

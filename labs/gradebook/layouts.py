@@ -3,10 +3,14 @@
 | platform | an entry of the folder |
 |---|---|
 | Gradescope | `submission_310/`, and students' names in `submission_metadata.yml` |
-| Canvas | `lovelaceada_LATE_7_4711_impulse-1.ipynb`: name, whether late, Canvas' numbers of student and file, attempt |
+| Canvas | `lovelaceada_LATE_7_4711_impulse-1.ipynb`: name, whether late, Canvas' numbers of student and file |
+| Canvas without names | `anon_x7Kd2_4711_impulse.ipynb` |
 | Moodle | `Ada Lovelace_4711_assignsubmission_file_/impulse.ipynb`: name, and the number of the participant |
 | nbgrader | `submitted/ada/impulse/impulse.ipynb`, with `timestamp.txt` beside it |
 | none | `ada/impulse.ipynb`, `ada.zip` or `ada.ipynb` |
+
+Canvas delivers each file of the current attempt by itself. Moodle delivers a folder for its files, and another one for
+a text that was entered online.
 """
 
 from __future__ import annotations
@@ -14,7 +18,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from datetime import datetime
-from pathlib import PurePosixPath
 from typing import Any
 
 from labs.gradebook.times import moment
@@ -24,10 +27,19 @@ METADATA = "submission_metadata.yml"
 """Gradescope's file of who handed in what."""
 TIMESTAMP = "timestamp.txt"
 """nbgrader's file of when."""
-_CANVAS = re.compile(r"^(?P<name>[^_]+)_(?:(?P<late>LATE)_)?(?P<id>\d+)_(?P<file>\d+)_(?P<rest>.+)$")
-_ATTEMPT = re.compile(r"-(\d+)(?=\.\w+$)")
-_MOODLE = re.compile(r"^(?P<name>.+)_(?P<id>\d+)_assignsubmission_file(?:_(?P<rest>.*))?$")
+_CANVAS = re.compile(
+    r"^(?P<name>.+?)_(?:(?P<late>LATE)_)?(?P<id>\d+)_(?:(?P<file>\d+)_(?P<rest>.+)|(?P<entered>text|link)\.html)$"
+)
+_CANVAS_HIDES = re.compile(r"^(?:(?P<late>LATE)_)?(?P<id>anon_[0-9A-Za-z]+)_(?:(?P<file>\d+)_(?P<rest>.+)|\w+\.html)$")
+_APART = re.compile(
+    r"-(?:\d+|[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12})(?=(?:\.[A-Za-z][A-Za-z0-9]*)*\.[A-Za-z0-9]*$)"
+)
+"""What Canvas puts behind the name of a file if the student has handed in another one of this name before."""
+_MOODLE = re.compile(r"^(?P<name>.+?)(?:_(?P<id>\d+))?_assignsubmission_(?P<kind>[a-z]+)(?:_(?P<rest>.*))?$")
 _GRADESCOPE = re.compile(r"^submission_(?P<id>\d+)$")
+SUFFIXES = (".ipynb", ".py", ".zip")
+"""What a submission should end in, in lower case."""
+_ENDING = re.compile(r"(?:\.(?:ipynb|py|zip))?\.[A-Za-z0-9]+$", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -35,8 +47,9 @@ class Owner:
     """Whose an entry is, as far as its name says.
 
     platform: whose naming it is. key: the student's number or name there. name: of the student, empty if the platform
-    does not say. attempt: of several files of one student, the last counts. late: whether the platform calls it late.
-    file: the name that the student gave the file, empty for a folder.
+    does not say. attempt: of several submissions of one student, the last counts. late: whether the platform calls it
+    late. file: the name that the student gave the file, empty for a folder. number: of several files of that name, the
+    one with the highest is the newest.
     """
 
     platform: str
@@ -45,23 +58,20 @@ class Owner:
     attempt: int = 0
     late: bool = False
     file: str = ""
+    number: int = 0
 
 
-def owner_of(entry: str) -> Owner:
+def owner_of(entry: str, is_file: bool = True) -> Owner:
     """Read the name of an entry of a folder."""
     if found := _MOODLE.match(entry):
-        return Owner(MOODLE, found["id"], found["name"], file=found["rest"] or "")
+        return Owner(MOODLE, found["id"] or found["name"], found["name"], file=found["rest"] or "")
     if found := _GRADESCOPE.match(entry):
-        return Owner(GRADESCOPE, found["id"])
-    if found := _CANVAS.match(entry):
-        attempt = _ATTEMPT.search(found["rest"])
-        file = _ATTEMPT.sub("", found["rest"])
-        return Owner(CANVAS, found["id"], found["name"], int(attempt[1]) if attempt else 0, bool(found["late"]), file)
-    return Owner(PLAIN, PurePosixPath(entry).stem if entry.lower().endswith(SUFFIXES) else entry)
-
-
-SUFFIXES = (".ipynb", ".py", ".zip")
-"""What a submission may end in, in lower case."""
+        return Owner(GRADESCOPE, found["id"], attempt=int(found["id"]))
+    if found := _CANVAS_HIDES.match(entry) or _CANVAS.match(entry):
+        file = _APART.sub("", found["rest"] or entry)
+        name = found.groupdict().get("name") or ""
+        return Owner(CANVAS, found["id"], name, late=bool(found["late"]), file=file, number=int(found["file"] or 0))
+    return Owner(PLAIN, _ENDING.sub("", entry) or entry if is_file else entry)
 
 
 @dataclass(frozen=True)

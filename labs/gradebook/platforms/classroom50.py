@@ -20,7 +20,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from labs.gradebook.arrivals import Missing, arrival
+from labs.gradebook.arrivals import Missing, arrival_with_content
 from labs.gradebook.layouts import PLAIN, Owner
 from labs.gradebook.platforms import shapes
 from labs.gradebook.platforms.lines import Content, Line, Paragraph, about, lines
@@ -112,12 +112,13 @@ def graded(repository: Path, lab: str) -> Content:
     """The grade of a repository by the visible tests. What cannot be read gets nothing of what there is to get."""
     places = [repository / name for name in (f"{lab}.ipynb", f"{lab}.py", f"labs/notebooks/{lab}.ipynb")]
     entry = next((place for place in places if place.is_file()), repository)
-    found = arrival(entry, Owner(PLAIN, ""), lab)
-    if isinstance(found, Missing):
-        return _unreadable(lab, "", f"{found.why}.")
+    arrived = arrival_with_content(entry, Owner(PLAIN, ""), lab)
+    if isinstance(arrived, Missing):
+        return _unreadable(lab, "", f"{arrived.why}.")
+    found, read = arrived
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, Path(found.file).name)
-        path.write_bytes(found.read())
+        path.write_bytes(read)
         try:
             content = grade_file(path, [lab], (VISIBLE,)).content()
         except (UnreadableSubmission, InvalidInput) as error:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from labs.gradebook.arrivals import Missing, arrival
+from labs.gradebook.arrivals import Missing, arrival_with_content
 from labs.gradebook.grading import Graded, Task, grade_one
 from labs.gradebook.layouts import PLAIN, Owner
 from labs.grading.budget import SECONDS
@@ -19,12 +19,13 @@ def graded_folder(folder: Path, lab: str, student: str) -> Graded:
     GraderFailed
         If the tests could not be run, for no fault of the submission.
     """
-    found = arrival(folder, Owner(PLAIN, student), lab)
-    if isinstance(found, Missing):
+    arrived = arrival_with_content(folder, Owner(PLAIN, student), lab)
+    if isinstance(arrived, Missing):
         identity = {"student": student, "lab": lab, "file": ""}
-        content = {"schema": SCHEMA, "version": VERSION, "identity": identity, "unreadable": f"{found.why}."}
+        content = {"schema": SCHEMA, "version": VERSION, "identity": identity, "unreadable": f"{arrived.why}."}
         return Graded(student, {**content, "marks": {}, "points": 0.0}, {"seconds": 0.0})
-    task = Task(student, "", lab, found.entry, found.file, found.read(), "", SECONDS)
+    found, read = arrived
+    task = Task(student, "", lab, found.entry, found.file, read, "", SECONDS)
     graded = grade_one(task)
     graded.content["notes"] = list(found.notes)
     return graded

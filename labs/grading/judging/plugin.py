@@ -31,7 +31,7 @@ from labs.grading.judging.outcomes import cause_of, explain, outcome_of, said, s
 from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
-from labs.grading.submission.cells import FILE_LIMIT
+from labs.grading.submission.opening import FILE_LIMIT
 from labs.grading.submission.reading import read
 from reference import lecture
 from reference.errors import CollisionsError

@@ -1,8 +1,6 @@
 """A submitted file as cells of source text: a notebook's code cells, or the whole of a `.py` file as one.
 
-Threat: the file is hostile data. It is opened without following a link, which could show the grader's own files in a
-message, and without waiting for a pipe. Above 10 MB it is refused before a byte is parsed. It is read as JSON and text
-only: no kernel, no nbformat, no import. Outputs are dropped unread.
+Threat: the file is hostile data. It is read as JSON and text only: no kernel, no nbformat, no import.
 """
 
 from __future__ import annotations
@@ -10,9 +8,7 @@ from __future__ import annotations
 import contextlib
 import io
 import json
-import os
 import re
-import stat
 import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,9 +17,8 @@ from typing import Any, Literal
 
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.safe_text import one_line
+from labs.grading.submission.opening import FILE_LIMIT, bytes_of, is_called_python
 
-FILE_LIMIT = 10 * 2**20
-"""Bytes of the largest file."""
 CELL_LIMIT = 2000
 """The most code cells."""
 CODE_LIMIT = 2**18
@@ -31,10 +26,6 @@ CODE_LIMIT = 2**18
 BRACE_LIMIT = 10_000
 """The most opening braces in it. Python's time for an f-string grows as their square: 80,000 need a minute."""
 
-_OTHERS = {
-    b"%PDF": "a PDF", b"PK\x03\x04": "a zip archive", b"\x1f\x8b": "a gzip archive", b"\x89PNG": "an image",
-    b"\xff\xd8\xff": "an image", b"\x7fELF": "a program", b"<!doctype html": "a web page", b"<html": "a web page",
-}  # fmt: skip
 _DECLARED = {"iso-8859-1", "iso-8859-15", "cp1252", "cp1250", "mac-roman", "ascii"}
 """Encodings besides UTF-8 that a first line `# coding: …` may name. Others can be made to take very long."""
 _PROGRAM = re.compile(r"^(?:def|import|from|class) \w+", re.MULTILINE)
@@ -81,8 +72,10 @@ def place(cell: int | None, line: int | None) -> str:
 
 def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
     """The file's cells, those of text as well; raises `UnreadableSubmission` if it has no code that can be read."""
-    raw = _bytes(path)
+    raw, size = bytes_of(path)
     text, complaints = _text(raw)
+    if size > FILE_LIMIT:
+        complaints.append(Complaint(f"it has {size / 2**20:.0f} MB, and its outputs are not read: clear them"))
     suffix = path.suffix.lower()
     braced = text.lstrip().startswith("{")
     notebook = braced and ('"cells"' in text or '"worksheets"' in text)
@@ -94,8 +87,11 @@ def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
         if suffix != ".ipynb":
             ending = one_line(path.suffix) or "nothing"
             complaints.append(Complaint(f"it is a notebook, though its name ends in {ending}: rename it to .ipynb"))
-    elif suffix == ".py":
+    elif is_called_python(path.name):
         cells = [Cell(text)]
+        if suffix != ".py":
+            ending = one_line(path.suffix)
+            complaints.append(Complaint(f"it is a Python file, though its name ends in {ending}: rename it to .py"))
     else:
         ending = f"ends in {one_line(path.suffix)!r}" if path.suffix else "has no ending"
         raise UnreadableSubmission(f"its name {ending}: hand in a .ipynb or a .py file")
@@ -115,39 +111,6 @@ def merge_mark(source: str) -> tuple[int, str] | None:
     """The first mark that a merge left in a source, with its line; None if there is none."""
     found = _MERGE_MARK.search(source)
     return (source.count("\n", 0, found.start()) + 1, found.group().strip()) if found else None
-
-
-def _bytes(path: Path) -> bytes:
-    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-    try:
-        if path.is_symlink():
-            raise UnreadableSubmission("it is a symbolic link: hand in the file itself")
-        descriptor = os.open(path, flags)
-        status = os.fstat(descriptor)
-        if not stat.S_ISREG(status.st_mode):
-            os.close(descriptor)
-            folder = stat.S_ISDIR(status.st_mode)
-            raise UnreadableSubmission(
-                "it is a folder: name the notebook or .py file in it" if folder else "it is a device, not a file"
-            )
-    except FileNotFoundError:
-        raise UnreadableSubmission("there is no file of this name here") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise UnreadableSubmission(f"it cannot be opened: {reason}") from None
-    with open(descriptor, "rb") as file:
-        if status.st_size > FILE_LIMIT:
-            size = status.st_size / 2**20
-            raise UnreadableSubmission(
-                f"it has {size:.0f} MB, and at most {FILE_LIMIT / 2**20:.0f} are read: clear the notebook's outputs"
-            )
-        raw = file.read(FILE_LIMIT)
-    if not raw.strip():
-        raise UnreadableSubmission("it is empty: was it saved?")
-    for start, kind in _OTHERS.items():
-        if raw[:64].lstrip().lower().startswith(start.lower()):
-            raise UnreadableSubmission(f"it is {kind}, whatever its name says: hand in a .ipynb or a .py file")
-    return raw
 
 
 def _text(raw: bytes) -> tuple[str, list[Complaint]]:

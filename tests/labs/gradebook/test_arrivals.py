@@ -9,8 +9,9 @@ from datetime import UTC, datetime
 import pytest
 
 from labs.gradebook.arrivals import arrivals
-from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, owner_of
-from labs.grading.submission.cells import FILE_LIMIT
+from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, Owner, owner_of
+from labs.grading.submission.large_notebooks import LARGEST
+from labs.grading.submission.opening import FILE_LIMIT
 from reference.errors import InvalidInput
 
 
@@ -28,21 +29,15 @@ def found(folder, lab: str = "impulse") -> dict[str, str]:
 def test_each_platforms_names_say_whose_a_submission_is():
     assert owner_of("submission_310").key == "310"
     late = owner_of("lovelaceada_LATE_7_4711_impulse-2.ipynb")
-    assert (late.platform, late.key, late.name, late.attempt, late.late, late.file) == (
-        *(CANVAS, "7", "lovelaceada", 2, True),
-        "impulse.ipynb",
-    )
+    assert late == Owner(CANVAS, "7", "lovelaceada", late=True, file="impulse.ipynb", number=4711)
     in_time = owner_of("o'brien_8_4712_my lab_final.py")
     assert (in_time.platform, in_time.key, in_time.late, in_time.file) == (CANVAS, "8", False, "my lab_final.py")
     moodle = owner_of("Ada van der Lovelace_4711_assignsubmission_file_")
     assert (moodle.platform, moodle.key, moodle.name) == (MOODLE, "4711", "Ada van der Lovelace")
     assert owner_of("Ada_4711_assignsubmission_file_impulse.ipynb").file == "impulse.ipynb"
-    assert [owner_of(each).key for each in ("ada", "ada.ipynb", "ada.b.zip", "ada.b")] == [
-        "ada",
-        "ada",
-        "ada.b",
-        "ada.b",
-    ]
+    files = ("ada", "ada.ipynb", "ada.b.zip", "ada.ipynb.json", "ada.PDF")
+    assert [owner_of(each).key for each in files] == ["ada", "ada", "ada.b", "ada", "ada"]
+    assert owner_of("ada.b", is_file=False).key == "ada.b"
 
 
 def test_canvas_files_of_several_attempts_count_once(tmp_path):
@@ -54,7 +49,7 @@ def test_canvas_files_of_several_attempts_count_once(tmp_path):
         ("2", "bob_2_8_lab.py"),
     }
     (ada,) = (each for each in there if each.owner.key == "1")
-    assert ada.notes == ("ada_1_9_impulse.ipynb, ada_1_10_impulse-1.ipynb came before it and are not graded",)
+    assert ada.notes == ("it holds ada_1_11_impulse-2.ipynb and 2 others; ada_1_11_impulse-2.ipynb is graded",)
     assert missing == []
 
 
@@ -113,7 +108,7 @@ def test_of_several_files_the_one_of_the_lab_is_graded(tmp_path):
     assert there[-1].notes == ("it holds impulse (1).ipynb and impulse-final.ipynb; impulse (1).ipynb is graded",)
     assert {each.entry: each.why for each in missing} == {
         "carl": "it holds a.ipynb and b.py, and none is named impulse",
-        "eve": "it holds neither a notebook nor a .py file",
+        "eve": "there is neither a notebook nor a .py file, only notes.txt",
     }
 
 
@@ -139,10 +134,12 @@ def test_an_archive_is_read_without_being_unpacked(tmp_path):
 
 
 def test_a_bomb_is_refused_by_its_size_and_read_no_further_than_the_limit(tmp_path):
-    with zipfile.ZipFile(tmp_path / "ada.zip", "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("impulse.ipynb", b"0" * (FILE_LIMIT + 2**20))
-    ((missing,),) = (arrivals(tmp_path, "impulse")[1],)
-    assert missing.why == "impulse.ipynb has 11 MB, more than 10"
+    for student, name, size in (("a", "impulse.ipynb", LARGEST), ("b", "impulse.py", FILE_LIMIT)):
+        with zipfile.ZipFile(tmp_path / f"{student}.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr(name, b"0" * (size + 2**20))
+    notebook, python = arrivals(tmp_path, "impulse")[1]
+    assert notebook.why == "impulse.ipynb has 65 MB, more than 64"
+    assert python.why == "impulse.py has 11 MB, more than 10"
 
 
 def test_links_are_not_followed(tmp_path):
