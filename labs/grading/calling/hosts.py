@@ -23,23 +23,20 @@ from collections.abc import Collection, Iterator
 from dataclasses import asdict
 from pathlib import Path
 
-import numpy as np
-
 if sys.platform == "linux":
     import fcntl
 
+from labs.grading.calling import worker_files
 from labs.grading.calling.processes import LOST, Ended, Limits, Process
 from labs.grading.errors import GraderFailed
 from labs.grading.worker import system_calls
 from labs.grading.worker.sandbox import Plan
-from labs.project_folders import ROOT
 
 MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
 """The measures of the sandbox that can be left out, to see what the others are worth."""
 
-_FOLDERS = (str(ROOT), str(Path(np.__file__).parents[1]))
-_INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
-_START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
+_START = "import os, sys; sys.path[:0] = [os.getcwd(){1}]; from labs.grading.worker import {0}; {0}.main()"
+"""The worker's code is in the current folder (`worker_files`); for the nursery the socket says where NumPy is."""
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _PATIENCE = 30.0  # s for the nursery, which nothing untrusted can keep waiting
 _PIPE = 2**18  # bytes that a process's pipe holds: its text and code, so that we need not wait until it reads them
@@ -58,6 +55,7 @@ class NurseryHost:
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         _hide(self)
         try:
+            worker_files.lay_out(Path(self._folder))
             self._open()
         except BaseException:
             self._clear()
@@ -68,8 +66,10 @@ class NurseryHost:
         self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
-        plan = json.dumps([self._without, self._user])
-        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), plan]
+        start = _START.format("nursery", ", os.read(int(sys.argv[1]), 2**16).decode()")
+        command = [worker_files.interpreter(), *worker_files.OPTIONS, start, str(theirs.fileno())]
+        self._control.send(worker_files.PACKAGES.encode())
+        self._control.send(json.dumps([self._without, self._user]).encode())
         with theirs, open(Path(self._folder, "log"), "wb") as log, _started(self._control):
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
@@ -183,13 +183,16 @@ class LoneHost:
     """Starts a fresh interpreter for each test, on systems without a sandbox."""
 
     def __init__(self) -> None:
-        self._folder = tempfile.mkdtemp(prefix="grading-")
+        self._folder = tempfile.mkdtemp(prefix="grading-", dir=worker_files.usual_place())
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
+        copied = worker_files.lay_out_with_numpy(Path(self._folder))
+        self._start = _START.format("lone_process", "" if copied else f", {worker_files.PACKAGES!r}")
+        _hide(self)
         self._running: dict[int, subprocess.Popen[bytes]] = {}
 
     def start(self, limits: Limits) -> Process:
         """Start an interpreter."""
-        command = [*_INTERPRETER, _START.format("lone_process"), *_FOLDERS, self._folder]
+        command = [worker_files.interpreter(), *worker_files.OPTIONS, self._start]
         kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
         running = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self._folder,
@@ -227,6 +230,7 @@ class LoneHost:
         for running in self._running.values():
             self._kill(running)
         self._clear()
+        _show(self)
 
 
 @contextlib.contextmanager
@@ -236,22 +240,24 @@ def _started(control: socket.socket) -> Iterator[None]:
         yield
     except OSError as error:
         control.close()
-        raise GraderFailed(f"the grader cannot start Python ({sys.executable}): {error.strerror or error}") from None
+        raise GraderFailed(
+            f"the grader cannot start Python ({worker_files.interpreter()}): {error.strerror or error}"
+        ) from None
 
 
-_hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()
+_hiding: weakref.WeakSet[NurseryHost | LoneHost] = weakref.WeakSet()
 """The open hosts, if other processes of this user could look into this one before the first was opened."""
 
 
-def _hide(host: NurseryHost) -> None:
+def _hide(host: NurseryHost | LoneHost) -> None:
     """Keep other processes of this user from looking into this one, until the last host is closed."""
-    with contextlib.suppress(OSError):
+    with contextlib.suppress(OSError, AttributeError):  # only Linux has it
         if _hiding or system_calls.prctl(system_calls.GET_DUMPABLE) == 1:
             system_calls.prctl(system_calls.SET_DUMPABLE, 0)
             _hiding.add(host)
 
 
-def _show(host: NurseryHost) -> None:
+def _show(host: NurseryHost | LoneHost) -> None:
     if host in _hiding:
         _hiding.remove(host)
         if not _hiding:

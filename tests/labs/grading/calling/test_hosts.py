@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from stand_ins import PATIENT, calls_until_it_fails
 
+from labs.grading.calling import worker_files
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import (
@@ -25,7 +26,9 @@ from labs.grading.errors import (
 from labs.grading.submission.reading import Submission
 from labs.grading.worker import landlock, seccomp
 from labs.grading.worker.tier import Tier
+from labs.project_folders import ROOT
 
+NORM = "import numpy as np\ndef f(): return np.linalg.norm([3, 4])"
 linux = pytest.mark.skipif(sys.platform != "linux", reason="the nursery needs Linux")
 
 
@@ -74,6 +77,46 @@ def test_a_result_names_the_tier_of_its_process_and_what_is_missing(options, tie
                 Remote(Submission("lab.py", ""), lesser).fresh(),
             ):
                 pass
+
+
+TELLS = """
+import gc, importlib.util, os, sys, traceback
+def frames():
+    frame, found = sys._getframe(), []
+    while frame:
+        found.append(frame.f_code.co_filename)
+        frame = frame.f_back
+    return found
+def told():
+    import numpy
+    found = [sys.argv, sys.path, sys.executable, sys.prefix, sys.orig_argv, os.getcwd(), dict(os.environ), frames()]
+    found += [getattr(each, "__file__", "") for each in sys.modules.values()]
+    found += [each.__code__.co_filename for each in gc.get_objects() if type(each).__name__ == "function"]
+    found += [vars(each) for each in gc.get_objects() if type(each).__name__ in ("FileFinder", "ModuleSpec")]
+    for file in ("cmdline", "environ", "maps", "mountinfo"):
+        try:
+            found.append(open("/proc/self/" + file).read())
+        except OSError:
+            pass
+    return [repr(each)[:100_000] for each in found if each]
+def solved(): return importlib.util.find_spec("solutions") is not None or importlib.util.find_spec("labs") is not None
+"""
+
+
+@pytest.mark.parametrize("options", [{"sandboxed": False}, {}], ids=["without a sandbox", "with what there is"])
+def test_a_process_of_a_test_is_not_told_where_the_lab_is(options):
+    with Grader(PATIENT, **options) as lesser, Remote(Submission("lab.py", TELLS), lesser).fresh() as call:
+        assert not call("solved")
+        places = call("told") if options else call("frames")  # a sandbox has NumPy at its own place, which is sealed
+        assert not [each for each in places if str(ROOT) in each]
+
+
+def test_numpy_that_cannot_be_copied_is_used_where_it_is(monkeypatch, tmp_path):
+    monkeypatch.setattr(worker_files, "_UNUSED", lambda folder, names: ["linalg"])
+    assert not worker_files.lay_out_with_numpy(tmp_path)
+    assert [each.name for each in tmp_path.iterdir()] == ["labs"]
+    with Grader(PATIENT, sandboxed=False) as lesser, Remote(Submission("lab.py", NORM), lesser).fresh() as call:
+        assert call("f") == 5
 
 
 def test_without_the_nursery_a_hang_or_a_death_costs_one_test():

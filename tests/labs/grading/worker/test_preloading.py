@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from labs.grading.calling import hosts
+from labs.grading.calling import worker_files
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed
 from labs.grading.judging.grade import grade
@@ -98,7 +98,7 @@ def test_missing_seals_are_in_the_grade(closed, tmp_path):
 
 
 def test_an_interpreter_that_cannot_be_started_is_an_error_of_the_grader(monkeypatch, tmp_path):
-    monkeypatch.setattr(hosts, "_INTERPRETER", (str(tmp_path / "python"), "-c"))
+    monkeypatch.setattr(worker_files, "interpreter", lambda: str(tmp_path / "python"))
     with pytest.raises(GraderFailed, match="the grader cannot start Python"):
         Grader()
 

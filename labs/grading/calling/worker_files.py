@@ -1,0 +1,68 @@
+"""The folder in which a worker's interpreter begins, with a copy of the code that it runs: it learns no place of ours.
+
+Threat: where files are not sealed, a submission that knows where the lab lies imports the solutions and reads hidden
+tests. So the worker begins in a folder of its own that holds copies, and neither its arguments nor its environment,
+modules, frames or tracebacks name another place. A submission can still search the disk: this hides, and seals nothing.
+"""
+
+from __future__ import annotations
+
+import compileall
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import labs.grading.worker
+
+OPTIONS = ("-I", "-S", "-B", "-X", "utf8", "-c")
+"""Of a worker's interpreter: nothing of the user's settings, and no packages but those that it is told of."""
+PACKAGES = str(Path(np.__file__).parents[1])
+"""Where NumPy lies."""
+_PACKAGE = Path(*labs.grading.worker.__name__.split("."))
+_NUMPY = Path(np.__file__).parent
+_BESIDE_NUMPY = (f"{_NUMPY.name}.libs", f"{_NUMPY.name}.dylibs")
+"""Folders of libraries that NumPy's own modules look for beside it, under the names that its wheels give them."""
+_UNUSED = shutil.ignore_patterns("tests", "f2py", "distutils", "include", "*.pyi", "*.a", "_pyinstaller")
+
+
+def lay_out(folder: Path) -> None:
+    """Copy the worker's own code into a folder, as the package that it is."""
+    shutil.copytree(Path(labs.grading.worker.__file__).parent, folder / _PACKAGE)
+    for package in list(_PACKAGE.parents)[:-1]:
+        (folder / package / "__init__.py").touch()
+
+
+def lay_out_with_numpy(folder: Path) -> bool:
+    """Copy NumPy as well, whose place may tell where the lab is installed, for the many interpreters that begin there.
+
+    Returns False, and leaves the copy out, if it does not work: some builds need libraries near their own place.
+    """
+    lay_out(folder)
+    compileall.compile_dir(folder, quiet=2)
+    beside = [_NUMPY.parent / name for name in _BESIDE_NUMPY if (_NUMPY.parent / name).is_dir()]
+    for each in (_NUMPY, *beside):
+        shutil.copytree(each, folder / each.name, ignore=_UNUSED)
+    command = [
+        interpreter(),
+        *OPTIONS,
+        "import os, sys; sys.path[:0] = [os.getcwd()]; import numpy.linalg, numpy.random",
+    ]
+    works = subprocess.run(command, cwd=folder, capture_output=True).returncode == 0
+    for each in () if works else (_NUMPY, *beside):
+        shutil.rmtree(folder / each.name)
+    return works
+
+
+def interpreter() -> str:
+    """The interpreter from which the environment of this one was made, whose own place may be the lab's folder."""
+    return str(getattr(sys, "_base_executable", "") or sys.executable)
+
+
+def usual_place() -> str | None:
+    """Where a system keeps temporary files, even if this process keeps its own with the grades; None if unknown."""
+    places = [os.environ.get(name, "") for name in ("TMPDIR", "TEMP", "TMP")]
+    return next((each for each in (*places, "/tmp") if os.path.isdir(each) and os.access(each, os.W_OK)), None)
