@@ -35,6 +35,13 @@ def gives_beside_physics(came: str, physics: str) -> str:
     return f"{gives(came)}\nphysics {physics}"
 
 
+def without_explanation(said: str) -> str:
+    """The message of an assertion without the lines that pytest adds to it; of one without a message, these lines."""
+    lines = said.splitlines()
+    added = next((at for at, line in enumerate(lines) if at and line.startswith("assert ")), len(lines))
+    return "\n".join(lines[:added])
+
+
 def has_answer(said: str) -> bool:
     """Whether a call is followed by its answer."""
     return "\ngives " in said

@@ -8,11 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from reference.arrays import Array
+
+
+class AsLongAs(NamedTuple):
+    """The length of an axis of an argument: the one at a place among all arguments, those of a tuple one by one."""
+
+    place: int
+    axis: int
+
+
+Length = int | AsLongAs | None
+"""Of an axis of an answer: None if it differs from case to case and no argument says what it is."""
 
 
 @dataclass(frozen=True)
@@ -21,12 +32,13 @@ class OneCase:
 
     axes: how many axes each argument has, by position; of a tuple, such as a body, how many each part has. Arguments
     further on are numbers. outputs: how many things the function returns. before: how many axes of each of these come
-    before those of the contacts, such as the steps of a run.
+    before those of the contacts, such as the steps of a run. shapes: of these things, as far as they are known.
     """
 
     axes: tuple[Any, ...]
     outputs: int = 1
     before: int = 0
+    shapes: tuple[tuple[Length, ...], ...] = ()
 
     def leading(self, arguments: tuple[Any, ...]) -> tuple[int, ...]:
         """The axes along which the contacts of a call lie; none for a single contact.
@@ -37,6 +49,26 @@ class OneCase:
             If the arguments do not fit together.
         """
         return np.broadcast_shapes(*(_lead(value, axes) for value, axes in self._leaves(arguments)))
+
+    def leaves(self, arguments: tuple[Any, ...]) -> list[Any]:
+        """All arguments, those of a tuple one by one."""
+        return [value for value, _ in self._leaves(arguments)]
+
+    def wanted(self, arguments: tuple[Any, ...]) -> tuple[tuple[int | None, ...], ...]:
+        """The shapes of what the function should return for these arguments; none if they are several cases.
+
+        None in a shape stands for any length.
+        """
+        try:
+            if self.leading(arguments):
+                return ()
+            given = [np.shape(value) for value in self.leaves(arguments)]
+        except ValueError:
+            return ()
+        return tuple(
+            tuple(given[each.place][each.axis] if isinstance(each, AsLongAs) else each for each in shape)
+            for shape in self.shapes
+        )
 
     def one_by_one(self, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
         """Call a function once for each contact, and put the answers side by side.
@@ -100,6 +132,13 @@ class OneCase:
         if not self.before:
             return found
         return np.moveaxis(found, range(len(shape)), range(self.before, self.before + len(shape)))
+
+
+def has_shape(answer: Array, shape: tuple[int | None, ...]) -> bool:
+    """Whether an answer has a shape; an empty list says nothing of the rows that it might have had."""
+    if answer.shape == (0,) and None in shape:
+        return True
+    return answer.ndim == len(shape) and all(map(lambda has, wanted: wanted in (None, has), answer.shape, shape))
 
 
 def _is_group(value: Any, axes: Any) -> bool:

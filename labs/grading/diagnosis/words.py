@@ -165,7 +165,12 @@ def _are_truths(value: Any, right: Right) -> bool:
 
 
 def _shapes(arrays: Sequence[Any]) -> str:
-    return ", ".join(str(array.shape) for array in arrays)
+    return ", ".join(shape_in_words(array.shape) for array in arrays)
+
+
+def shape_in_words(shape: Sequence[int | None]) -> str:
+    """A shape as Python writes it, with an n for a length that differs from case to case."""
+    return str(tuple(shape)).replace("None", "n")
 
 
 def shown(value: Any) -> str:

@@ -15,11 +15,12 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from labs.grading.calling.cases import OneCase
+from labs.grading.calling.cases import OneCase, has_shape
 from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
 from labs.grading.diagnosis.output_names import labelled, output_names, rows_of
+from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.diagnosis.probes.probe import usual
-from labs.grading.diagnosis.words import called, compared, shown
+from labs.grading.diagnosis.words import called, compared, shape_in_words, shown
 from labs.grading.errors import ArgumentsChanged, FunctionRaised, WrongType
 from labs.grading.judging.case_by_case import right_alone
 from labs.grading.phrases import gives, no_answer
@@ -103,19 +104,29 @@ def _repeated(value: Any, right: tuple[Array, ...]) -> Any:
     return spread if len(spread) > 1 else spread[0]
 
 
-def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:
+def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1, finite: bool = True) -> Any:
     """Call a function for an array of floats, or for several; raises an AssertionError if it returns anything else.
 
-    NaN and infinity are refused, because a comparison can take two of them for equal.
+    For a single case the arrays must have the shapes that the function promises, because arrays without numbers have
+    almost any property. finite: whether NaN and infinity are refused, as a comparison can take two of them for equal.
     """
     value = function(*arguments)
     found = outputs(value, count)
     if found is None:
         raise AssertionError(f"{_tried(function, arguments)}\n{gives(no_answer(value, count, _printed(function)))}")
-    if not all(np.isfinite(array).all() for array in (found if count > 1 else found[:1])):
-        came = labelled(list(map(shown, found)), output_names(function.name))
+    came, wanted = labelled(list(map(shown, found)), output_names(function.name)), _wanted(function, arguments)
+    if len(wanted) == count and not all(map(has_shape, found, wanted)):
+        shapes, promised = (", ".join(map(shape_in_words, each)) for each in ([a.shape for a in found], wanted))
+        raise AssertionError(f"{_tried(function, arguments)}\n{gives(came)} of shape {shapes} instead of {promised}")
+    if finite and not all(np.isfinite(array).all() for array in found):
         raise AssertionError(f"{_tried(function, arguments)}\n{gives(came)}, where finite numbers should be")
     return found if count > 1 else found[0]
+
+
+def _wanted(function: Called, arguments: tuple[Any, ...]) -> tuple[tuple[int | None, ...], ...]:
+    """The shapes of what a function should return for one case; none where that is not known."""
+    case = one_case(function.name)
+    return case.wanted(arguments) if case else ()
 
 
 def _tried(function: Called, arguments: tuple[Any, ...]) -> str:

@@ -23,6 +23,7 @@ from labs.grading.diagnosis.probes.probe import Draw, Maker, Probe, made
 from labs.grading.diagnosis.words import called
 from labs.grading.errors import FunctionRaised
 from labs.grading.judging.comparison import Called, Formula, check, each, outputs_of, refuse_changes
+from labs.grading.phrases import without_explanation
 from reference.arrays import Array
 
 COUNT = 8
@@ -87,7 +88,7 @@ class Examples:
                 try:
                     holds(*tried)
                 except AssertionError as error:
-                    words, example = _own_words(error), called(names, tidy)
+                    words, example = without_explanation(str(error)), called(names, tidy)
                     raise AssertionError(words if f"({example})" in words else f"{words}\nfor {example}") from None
 
         self._every(maker, self._drawn(maker, count), holds, explained)
@@ -147,13 +148,6 @@ class Examples:
             finally:
                 configuration.set_hypothesis_home_dir(None)
         return None
-
-
-def _own_words(error: AssertionError) -> str:
-    """The message of an assertion without the explanation that pytest adds."""
-    lines = str(error).splitlines()
-    added = [number for number, line in enumerate(lines) if number and line.startswith("assert ")]
-    return "\n".join(lines[: added[0]] if added else lines)
 
 
 def _tidy(value: Any) -> Any:

@@ -17,12 +17,14 @@ from labs.grading.judging.blame import needed_functions
 from labs.grading.judging.markers import is_hidden, marker
 from labs.grading.judging.score_sheet import Cause, Outcome, Part, Sheet
 from labs.grading.judging.suspects import suspects
-from labs.grading.phrases import needed_function
+from labs.grading.phrases import needed_function, without_explanation
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
 from reference import lecture
-from reference.errors import NeedsFunction, UnknownName
+from reference.errors import CollisionsError, NeedsFunction, UnknownName
 
+NOTHING_COMPUTED = (ArithmeticError, IndexError, TypeError, ValueError, RuntimeWarning)
+"""What goes wrong in a test that computes with an answer of an odd shape, or with numbers of an odd size."""
 _LINES = 8  # of what a failed assertion says
 _OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
 
@@ -67,8 +69,11 @@ def said(error: BaseException | None, hidden: bool) -> str:
         return f"the function {error.gist}"
     if hidden:  # a driver's message may hold numbers
         return "the answer is wrong"
-    lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
+    if isinstance(error, NOTHING_COMPUTED) and not isinstance(error, CollisionsError):
+        return "the answer has a shape or a size with which the test can compute nothing"
     ours = not isinstance(error, StudentError)  # a submission may say what pytest says
+    words = without_explanation(str(error)) if ours else str(error)
+    lines = [line.strip() for line in plain(words, 1000).splitlines()]
     kept = [line for line in lines if line and not (ours and line.endswith(_OBVIOUS))][:_LINES]
     notes = [] if isinstance(error, FunctionMissing) else getattr(error, "__notes__", [])
     found = [*kept, *(f"for {example}" for note in notes if (example := _example(note)))]

@@ -15,6 +15,7 @@ import contextlib
 import hashlib
 import sys
 from collections.abc import Callable, Generator, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,11 +24,12 @@ import pytest
 from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError, UnreadableSubmission
+from labs.grading.judging import same_answers
 from labs.grading.judging.case_by_case import GIST, CaseByCase
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
 from labs.grading.judging.markers import MEANINGS, is_hidden, marker
-from labs.grading.judging.outcomes import cause_of, explain, outcome_of, said, summary, through
+from labs.grading.judging.outcomes import NOTHING_COMPUTED, cause_of, explain, outcome_of, said, summary, through
 from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
@@ -124,7 +126,7 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
         functions.begin_part()
         try:
             yield
-        except (AssertionError, StudentError) as error:
+        except (AssertionError, StudentError, *NOTHING_COMPUTED) as error:
             others = tuple(sorted(functions.asked - {marker(request.node, "function", "")}))
             parts.append(Part(points, reason, said(error, hidden), others, cause_of(error), through(error)))
         else:
@@ -142,6 +144,8 @@ def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     functions = getattr(item, "funcargs", {}).get("submission")
     try:
         result = yield
+        if isinstance(functions, Functions):
+            _take_back(item, functions)
         lost = [each for each in _parts(item) if not each.passed]
         if lost:
             pytest.fail("\n".join(_told(lost)), pytrace=False)
@@ -178,6 +182,14 @@ def pytest_runtest_makereport(
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
     """Say what was lost and why, and the points."""
     summary(terminalreporter, config.stash[SHEET])
+
+
+def _take_back(item: pytest.Item, functions: Functions) -> None:
+    """Take back the parts of a test in which its function has given the same answer to every question."""
+    name, parts = marker(item, "function", ""), _parts(item)
+    if words := functions.same_answers[name].found():
+        said = same_answers.GIST if is_hidden(item) else f"{name} {words}"
+        parts[:] = [replace(each, said=said, cause="") if each.passed else each for each in parts]
 
 
 def _require_evidence(what: str, functions: Functions) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -11,6 +12,7 @@ from labs.grading.calling.cases import OneCase
 from labs.grading.calling.remote import Call, Remote
 from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.judging.case_by_case import CaseByCase
+from labs.grading.judging.same_answers import SameAnswers
 from labs.grading.judging.score_sheet import Sheet
 
 
@@ -23,7 +25,9 @@ class Function:
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
         """Call it in the process of the test that runs."""
-        return self.functions.process()(self.name, *arguments, **named)
+        answer = self.functions.process()(self.name, *arguments, **named)
+        self.functions.same_answers[self.name].note(answer)
+        return answer
 
     def foresee(self, several: Iterable[tuple[Any, ...]]) -> None:
         """Say which calls of it come next, so that its process can work ahead."""
@@ -34,12 +38,16 @@ class Function:
 
 
 class Functions:
-    """A submission's functions as attributes; each test has a process of its own, from its first call on."""
+    """A submission's functions as attributes; each test has a process of its own, from its first call on.
+
+    same_answers: of each function that the running test has called by itself.
+    """
 
     def __init__(self, remote: Remote, sheet: Sheet) -> None:
         self._remote, self._sheet = remote, sheet
         self._test = contextlib.ExitStack()
         self._call: Call | None = None
+        self.same_answers: defaultdict[str, SameAnswers] = defaultdict(SameAnswers)
 
     def __getattr__(self, name: str) -> Function:
         if name.startswith("_"):
@@ -87,4 +95,5 @@ class Functions:
     def end_test(self) -> None:
         """End the test's process."""
         self._call = None
+        self.same_answers.clear()
         self._test.close()

@@ -8,7 +8,9 @@ everything else by the name of its type, so that an honest student learns what w
 bytes and in parts, as a few megabytes of `[[],[],…` would become a hundred times that in memory; the length comes first
 and is checked before anything is read.
 
-Numbers arrive bit by bit as they were sent: a NaN keeps its payload, −0.0 its sign, an array its dtype and shape.
+Numbers arrive bit by bit as they were sent: a NaN keeps its payload, −0.0 its sign, an array its dtype and shape. The
+one exception are bits that make the processor complain whenever they are computed with, such as a signalling NaN. They
+arrive as the quiet NaN that the first computation would have made of them.
 The worker loads this module as well, so it needs only the standard library and NumPy.
 """
 
@@ -153,8 +155,11 @@ def _text_of(array: np.ndarray[Any, Any]) -> str:
 
 
 def _odd_float(digits: str) -> float:
-    """A float given by its bits, because JSON has no word for it: NaN with its payload, and the infinities."""
-    found: float = struct.unpack(">d", bytes.fromhex(digits))[0] if len(digits) == 16 else 0.0
+    """A float given by its bits, because JSON has no word for it: a quiet NaN with its payload, and the infinities.
+
+    The product by one makes a quiet NaN of a signalling one.
+    """
+    found: float = struct.unpack(">d", bytes.fromhex(digits))[0] * 1.0 if len(digits) == 16 else 0.0
     if math.isfinite(found):
         raise Refused(f"not a message: {digits[:20]!r} is no odd float")
     return found
@@ -178,6 +183,7 @@ def _array(name: str, shape: list[Any], text: str) -> np.ndarray[Any, Any]:
         raise Refused(f"not a message: {len(raw)} bytes for shape {tuple(shape)} of {dtype}")
     array = np.frombuffer(raw, dtype).reshape(shape).copy()
     _check_bits(array)
+    _quieten(array)
     return array
 
 
@@ -202,6 +208,14 @@ def _check_bits(array: np.ndarray[Any, Any]) -> None:
         codes = np.frombuffer(array.tobytes(), f"{array.dtype.str[0]}u4")
         if codes.max(initial=0) > 0x10FFFF:
             raise Refused("not a message: a character beyond Unicode")
+
+
+def _quieten(array: np.ndarray[Any, Any]) -> None:
+    """Make quiet NaNs of signalling ones, and of the bits of a wide float that mean no number; keep all other bits."""
+    if array.dtype.kind in "fc":
+        parts = array.reshape(-1).view(array.real.dtype)  # a product of complex numbers would mix the two parts
+        with np.errstate(all="ignore"):
+            np.multiply(parts, 1, out=parts)
 
 
 def _check_size(body: bytes) -> None:

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from labs.grading.judging.comparison import expect, plainly
+from labs.grading.judging.comparison import expect, numbers, plainly
 from labs.grading.judging.markers import asks
 
 X, Y, UP, LEANS, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
@@ -196,8 +196,8 @@ def test_the_ball_slips_until_it_rolls(submission, part, examples):
     with part(1, "thrown without spin, it rolls with five sevenths, whatever μ is"):
 
         def slows(velocity, radius, mu):
-            v, _ = submission.roll_step(velocity, np.zeros(3), radius, mu, 9.8, 1000.0)
-            np.testing.assert_allclose(np.asarray(v, dtype=float), 5 / 7 * velocity, atol=1e-6)
+            v, _ = numbers(submission.roll_step, (velocity, np.zeros(3), radius, mu, 9.8, 1000.0), 2)
+            np.testing.assert_allclose(v, 5 / 7 * velocity, atol=1e-6)
 
         examples.every(lambda draw: (draw.vector(5) * [1, 1, 0], draw.number(0.1, 1), draw.number(0.1, 1)), slows)
     with part(1, "many at once, their arrays left as they were"):

@@ -5,6 +5,8 @@ A body is (v, ω, r, 1/M, I⁻¹). Formulas here are for one contact.
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from labs.grading.judging.comparison import expect, numbers, plainly
@@ -42,7 +44,7 @@ def test_the_normal_of_any_two_edges_is_a_unit_vector_on_the_side_of_a(submissio
 
     with part(1, "any two edges"):
         examples.agree(submission.edge_edge_normal, across, edges, far=4)
-    with part(1, "both centres on one side, and side by side"):
+    with part(1, "both centres on one side, and side by side; any size"):
         for a, b, right in (
             ([0, 0, 5], [0, 0, 9], [0, 0, -1]),
             ([4, 0, 1], [0, 0, 1], UP),
@@ -50,6 +52,10 @@ def test_the_normal_of_any_two_edges_is_a_unit_vector_on_the_side_of_a(submissio
         ):
             expect(submission.edge_edge_normal, ([3, 0, 0], [1, 2, 0], a, b), right)
         expect(submission.edge_edge_normal, ([1, 2, 0], [3, 0, 0], [4, 0, 1], [0, 0, 1]), [0.0, 0.0, -1.0])
+        for size, a, b in itertools.product((1e-6, 1e6), (2, 4), (3,)):
+            two, centres = np.array([[3.0, 0, 1], [1, 2, 0]]), size * np.array([[1.0, -1, a], [1, -1, b]])
+            for given in ((*two, *centres), (*size * two, *centres)):
+                expect(submission.edge_edge_normal, given, across(*given))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.edge_edge_normal, across, edges)
 
@@ -70,13 +76,16 @@ def test_each_axis_of_the_body_keeps_its_moment(submission, part, examples):
 
     with part(2, "any body"):
         examples.agree(submission.world_inverse_inertia, inverse, bodies)
-    with part(1, "a ball, a thin rod, what cannot be turned"):
+    with part(1, "a ball, a thin rod, what cannot be turned; light and heavy"):
         lying = turned(np.array(UP), np.array([0.8, 0, 0.6, 0]))
         expect(submission.world_inverse_inertia, ([2, 2, 2], [0.8, 0, 0.6, 0]), np.eye(3) / 2)
         expect(
             submission.world_inverse_inertia, ([2, 2, 0], [0.8, 0, 0.6, 0]), (np.eye(3) - np.outer(lying, lying)) / 2
         )
         expect(submission.world_inverse_inertia, ([np.inf] * 3, [0.8, 0, 0.6, 0]), NO_TURN)
+        for size in (1e-7, 1e7):
+            given = size * np.array([1, 2, 3]), np.array([0.8, 0, 0.6, 0])
+            expect(submission.world_inverse_inertia, given, inverse(*given))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.world_inverse_inertia, inverse, bodies)
 
@@ -145,12 +154,27 @@ LIMITS = tuple(
 immovable."""
 
 
+def sized(one, mass, length, time):
+    """The same body in other units of mass, length and time."""
+    v, w, r, share, turning = one
+    return v * length / time, w / time, r * length, share / mass, turning / (mass * length**2)
+
+
+UNITS = ((1e-7, 1, 1), (1e7, 1, 1), (1, 1e-5, 1), (1, 1e5, 1), (1, 1, 1e-5), (1, 1, 1e5))
+"""From a tenth of a milligram to a ship of ten thousand tonnes; tiny and large, fast and slow."""
+SIZED = tuple((sized(LIMITS[6][0], *unit), sized(LIMITS[6][1], *unit), LIMITS[6][2]) for unit in UNITS)
+WHOLE = tuple((*(np.array(each) for each in whole), 1, np.eye(3, dtype=int)) for whole in (
+    ([1, 0, -2], [0, 1, 0], [0, 1, 1]), ([0, 1, 1], [1, 0, 0], [1, 0, 0])
+))  # fmt: skip
+"""Two bodies in whole numbers, whose velocities afterwards are none."""
+
+
 @asks("normal_velocity", 3, "The part of the velocity of A's point, as seen from B's, along the normal.")
 def test_only_the_part_along_the_normal_counts(submission, part, examples):
     with part(1, "any two bodies"):
         examples.agree(submission.normal_velocity, parting, pairs, far=4)
-    with part(1, "limiting cases: the ground, a pivot, grazing, at rest, the centre, the axis"):
-        for case in LIMITS:
+    with part(1, "limiting cases: the ground, a pivot, grazing, at rest, the centre, the axis; bodies of any size"):
+        for case in (*LIMITS, *SIZED):
             expect(submission.normal_velocity, case, parting(*case))
         for spin, arm in (([4, 5, 6], REST), ([0, 0, 2], [0, 0, 3])):
             expect(submission.normal_velocity, (body([1, 2, 3], arm, spin), body([1, 2, 3]), LEANS), 0.0)
@@ -163,8 +187,8 @@ def test_only_the_part_along_the_normal_counts(submission, part, examples):
 def test_a_unit_impulse_tried_out_gives_the_inverse_effective_mass(submission, part, examples):
     with part(2, "any two bodies"):
         examples.agree(submission.inverse_effective_mass, softness, pairs, far=4)
-    with part(1, "limiting cases: the ground, a pivot, what cannot turn"):
-        for case in LIMITS:
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn; bodies of any size"):
+        for case in (*LIMITS, *SIZED):
             expect(submission.inverse_effective_mass, case, softness(*case))
     with part(1, "the same for −n, and for A and B swapped"):
 
@@ -182,8 +206,8 @@ def test_a_unit_impulse_tried_out_gives_the_inverse_effective_mass(submission, p
 def test_with_that_impulse_they_part_at_e_times_the_speed(submission, part, examples):
     with part(2, "any two bodies"):
         examples.agree(submission.impulse_magnitude, magnitude, with_e, far=4)
-    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting"):
-        for case in LIMITS:
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting; bodies of any size"):
+        for case in (*LIMITS, *SIZED):
             for e in (0.0, 0.5, 1.0):
                 expect(submission.impulse_magnitude, (*case, e), magnitude(*case, e))
     with part(1, "twice the speed takes twice the impulse"):
@@ -206,10 +230,15 @@ def test_the_impulse_acts_at_the_end_of_each_arm(submission, part, examples):
 
     with part(2, "any two bodies"):
         examples.agree(submission.apply_impulse, after, struck, far=4)
-    with part(1, "limiting cases: the ground, no impulse"):
-        for a, b, _ in LIMITS:
+    with part(1, "limiting cases: the ground, no impulse; whole numbers; bodies of any size"):
+        for a, b, _ in (*LIMITS, *SIZED):
             for impulse in (np.array([0, 1, 3.0]), np.zeros(3)):
                 expect(submission.apply_impulse, (a, b, impulse), after(a, b, impulse))
+        for (a, b, _), (mass, length, time) in zip(SIZED, UNITS, strict=True):
+            impulse = mass * length / time * np.array([0, 1, 3.0])
+            expect(submission.apply_impulse, (a, b, impulse), after(a, b, impulse))
+        quarter = np.array([0.25, -0.5, 0.75])
+        expect(submission.apply_impulse, (*WHOLE, quarter), after(*WHOLE, quarter))
     with part(1, "angular momentum about the point of contact is kept"):
 
         def kept(a, b, impulse):
@@ -227,8 +256,8 @@ def test_the_impulse_acts_at_the_end_of_each_arm(submission, part, examples):
 def test_an_impact_of_any_two_bodies(submission, part, examples):
     with part(2, "any two bodies"):
         examples.agree(submission.collide, collision, with_e, far=4)
-    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting, grazing"):
-        for case in LIMITS:
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting, grazing; whole numbers; any size"):
+        for case in (*LIMITS, *SIZED, (*WHOLE, np.array(UP))):
             for e in (0.0, 0.5, 1.0):
                 expect(submission.collide, (*case, e), collision(*case, e))
     with part(1, "below, at and above the threshold, approaching and parting"):
@@ -236,6 +265,10 @@ def test_an_impact_of_any_two_bodies(submission, part, examples):
             for threshold in (0.125, 0.25, 0.5):
                 case = body([0, 0, speed], X), body(REST), np.array(UP), 0.5, threshold
                 expect(submission.collide, case, collision(*case))
+        for case in SIZED:
+            for share in (0.875, 1.125):
+                given = (*case, 0.5, -share * parting(*case))
+                expect(submission.collide, given, collision(*given))
     with part(1, "the points part with e times the speed of their approach"):
 
         def as_asked(a, b, normal, e):
@@ -274,10 +307,14 @@ def test_an_audit_of_any_velocities(submission, part, examples):
 
     with part(2, "any two bodies"):
         examples.agree(submission.audit, account, changed, far=4)
-    with part(1, "limiting cases: the ground, a pivot, what cannot turn, no change, correct impacts"):
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn, no change, correct impacts; any size"):
         for a, b, normal in LIMITS:
             for later in ((*a[:2], *b[:2]), collision(a, b, normal, 0.5)):
                 gains = tuple(np.round(gain, 12) for gain in account(a, b, later))  # what is kept is 0, and no rounding
                 expect(submission.audit, (a, b, later), gains)
+        for (a, b, _), (_, length, time) in zip(SIZED, UNITS, strict=True):
+            later = tuple(np.array(each) / time for each in ([1, 2, 3], [0, -1, 2], [-2, 1, 0], [3, 0, 1]))
+            later = later[0] * length, later[1], later[2] * length, later[3]
+            expect(submission.audit, (a, b, later), account(a, b, later))
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.audit, account, changed)

@@ -144,7 +144,7 @@ def test_any_mesh_steps_as_semi_implicit_euler_does(submission, part, examples):
             mass = mesh[4]
             for _ in range(5):
                 before = mass @ velocity
-                at, velocity = (np.asarray(each) for each in submission.mesh_step(mesh, at, velocity, pull, dt))
+                at, velocity = numbers(submission.mesh_step, (mesh, at, velocity, pull, dt), 2)
                 gained = (mass @ velocity - before) / (mass.sum() * dt)
                 assert np.abs(gained - pull).max() < 1e-2, "the middle of the mesh does not fall with gravity"
 
@@ -303,8 +303,8 @@ def test_nodes_of_any_mesh_bounce_off_a_sphere(submission, part, examples):
     with part(1, "nothing is inside afterwards, no node is faster, and no node slides the other way"):
 
         def holds(mesh, at, velocity, centre, radius, e, mu):
-            places, after = (np.asarray(each) for each in
-                             submission.mesh_sphere_contact(mesh, at, velocity, centre, radius, e, mu))  # fmt: skip
+            given = (mesh, at, velocity, centre, radius, e, mu)
+            places, after = numbers(submission.mesh_sphere_contact, given, 2)
             free = ~mesh[5]
             assert np.all(np.linalg.norm(places - centre, axis=1)[free] > radius - 1e-3), "a node is inside"
             speeds = [np.linalg.norm(each, axis=1) for each in (velocity, after)]

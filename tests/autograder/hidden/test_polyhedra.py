@@ -166,13 +166,13 @@ def test_any_segment_meets_a_triangle_where_three_equations_say(submission, part
     with part(1, "turned round and turned over, it is the same place"):
 
         def same(start, end, triangle):
-            t, weights = submission.segment_triangle(start, end, triangle)
-            back, others = submission.segment_triangle(end, start, triangle[::-1])
-            hit = bool(np.isfinite(float(t)))
-            assert hit == bool(np.isfinite(float(back))), "it meets the triangle from one side alone"
-            if hit:
-                np.testing.assert_allclose(float(t) + float(back), 1, atol=1e-3)
-                np.testing.assert_allclose(np.asarray(weights), np.asarray(others)[::-1], atol=1e-3)
+            there, back = (start, end, triangle), (end, start, triangle[::-1])
+            t, weights = numbers(submission.segment_triangle, there, 2, finite=False)
+            other, others = numbers(submission.segment_triangle, back, 2, finite=False)
+            assert np.isfinite(t) == np.isfinite(other), "it meets the triangle from one side alone"
+            if np.isfinite(t):
+                np.testing.assert_allclose(t + other, 1, atol=1e-3)
+                np.testing.assert_allclose(weights, others[::-1], atol=1e-3)
 
         examples.every(segment, same)
     with part(1, "many at once, their arrays left as they were"):

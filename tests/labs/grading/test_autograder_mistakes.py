@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib
 import os
 import sys
+from collections import defaultdict
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -20,10 +21,12 @@ from tests_in_process import FOLDER, TOPICS, Asked, collected, loaded, loses_a_p
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
+from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.comparison import expect
 from labs.grading.judging.plugin import Functions
+from labs.grading.judging.same_answers import SameAnswers
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.submission.reading import Submission
 from reference import lecture
@@ -54,6 +57,7 @@ class Here:
 
     def __init__(self, **functions):
         self.functions, self.case_by_case, self.one_case = functions, CaseByCase(), one_case
+        self.same_answers = defaultdict(SameAnswers)
 
     def process(self):
         def function(name):
@@ -64,7 +68,8 @@ class Here:
 
     def __getattr__(self, name):
         solutions = importlib.import_module(f"solutions.{lecture.function(name).topic}")
-        return Asked(name, self.functions.get(name) or getattr(solutions, name), self.case_by_case)
+        function = self.functions.get(name) or getattr(solutions, name)
+        return Asked(name, function, self.case_by_case, self.same_answers[name])
 
 
 TESTS = collected("visible", "hidden")
@@ -125,6 +130,22 @@ def test_mistakes_alone_lose_points_with_any_examples(entry):
     for seed in (2, 3):
         assert without_a_loss(entry.name, seed) == [], seed
         assert lost(entry.name, Here(), seed, runs=False) == (0, []), seed
+
+
+def earned(function, answer):
+    """The points of a function that always returns the same."""
+    here = Here(**{function: lambda *arguments, **named: answer})
+    return sum(points - run_test(test, points, here)[0] for test, points in asking(function, runs=False))
+
+
+@pytest.mark.parametrize("entry", some(WRITTEN, 7, 30))
+def test_zeros_ones_infinities_nan_and_empty_arrays_earn_nothing(entry):
+    first = next(right.outputs for right in known(entry.name).right if right)
+    shapes = [tuple(array.shape for array in first), *([shape] * len(first) for shape in ((), (3,), (0,), (0, 3)))]
+    for value in (0.0, 1.0, -1.0, np.inf, np.nan):
+        for each in shapes:
+            answer = tuple(np.full(shape, value) for shape in each)
+            assert earned(entry.name, answer if len(answer) > 1 else answer[0]) == 0, answer
 
 
 def speed(point):

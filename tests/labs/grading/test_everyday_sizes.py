@@ -8,6 +8,7 @@ beyond some ten thousand, and the tests of the function have to notice both.
 from __future__ import annotations
 
 import inspect
+from collections import defaultdict
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,9 +17,10 @@ from mutants.making import solution
 from tests_in_process import Asked, collected, loses_a_part
 
 from labs.grading.judging.case_by_case import CaseByCase
+from labs.grading.judging.same_answers import SameAnswers
 from reference import lecture
 
-LABS = ("response", "friction", "polyhedra", "sweeping", "forces", "meshes", "avoidance", "world")
+LABS = ("impulse", "response", "friction", "polyhedra", "sweeping", "forces", "meshes", "avoidance", "world")
 WRITTEN = [entry.name for topic in LABS for entry in lecture.functions_of(topic) if entry.role == "written"]
 TESTS = collected("visible", "hidden")
 OF_ONE_SIZE = {
@@ -68,7 +70,9 @@ def changed(function, place, change):
 
 
 def loses(name, function):
-    asked = SimpleNamespace(**{name: Asked(name, function)}, case_by_case=CaseByCase())
+    asked = SimpleNamespace(
+        **{name: Asked(name, function)}, case_by_case=CaseByCase(), same_answers=defaultdict(SameAnswers)
+    )
     tests = [(test, points) for _, test, points in TESTS[name] if "with_solutions" not in test.__code__.co_names]
     return any(loses_a_part(test, points, asked) for test, points in tests)
 

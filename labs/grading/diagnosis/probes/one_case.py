@@ -1,17 +1,21 @@
-"""What each function takes for one case, read from its probes: how many axes each argument has."""
+"""What each function takes and gives for one case, read from its probes: axes of arguments, shapes of answers."""
 
 from __future__ import annotations
 
 import functools
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from labs.grading.calling.cases import OneCase
+from labs.grading.calling.cases import AsLongAs, Length, OneCase
 from labs.grading.diagnosis.fingerprints.reading import known
 from labs.grading.diagnosis.output_names import axes_before
 from labs.grading.diagnosis.probes import probes
 from reference.errors import UnknownName
+
+SINGLE = ("usual", "edge")
+"""The groups of probes with a single case."""
 
 
 @functools.cache
@@ -21,10 +25,30 @@ def one_case(function: str) -> OneCase | None:
         answers, cases = known(function).right, probes(function)
     except UnknownName:
         return None
-    single = [probe.arguments for probe in cases if probe.group in ("usual", "edge")]
+    rows = [(case.arguments, right) for case, right in zip(cases, answers, strict=True) if case.group in SINGLE]
+    single = [arguments for arguments, _ in rows]
     longest = max(map(len, single))
     axes = tuple(_most([given[place] for given in single if place < len(given)]) for place in range(longest))
-    return OneCase(axes, next(len(right.outputs) for right in answers if right), axes_before(function))
+    given = [[np.shape(value) for value in OneCase(axes).leaves(arguments)] for arguments in single]
+    outputs = zip(*(right.outputs for _, right in rows if right), strict=True)
+    shapes = tuple(
+        tuple(_length(lengths, given) for lengths in zip(*map(np.shape, of_one), strict=True)) for of_one in outputs
+    )
+    return OneCase(axes, len(shapes), axes_before(function), shapes)
+
+
+def _length(lengths: Sequence[int], given: Sequence[Sequence[tuple[int, ...]]]) -> Length:
+    """The length of an axis of an answer in all cases, or the first axis of an argument that is always as long.
+
+    lengths: in each case. given: the shapes of the arguments of each case.
+    """
+    if len({*lengths}) == 1:
+        return lengths[0]
+    for place in range(min(map(len, given))):
+        for axis in range(min(len(shapes[place]) for shapes in given)):
+            if all(shapes[place][axis] == length for shapes, length in zip(given, lengths, strict=True)):
+                return AsLongAs(place, axis)
+    return None
 
 
 def _most(values: list[Any]) -> Any:

@@ -78,7 +78,7 @@ def test_flags_stay_flags_when_drawn_cases_are_put_side_by_side():
 
 
 def test_numbers_come_as_arrays_and_other_values_are_refused():
-    one = numbers(Function(lambda: [1, 2]), ())
+    one = numbers(Function(lambda v: [1, 2]), ([[0, 0, 1], [0, 0, 2]],))
     np.testing.assert_array_equal(one, [1.0, 2.0], strict=True)
     first, second = numbers(Function(lambda: (1, [2, 3])), (), count=2)
     assert (float(first), second.tolist()) == (1.0, [2.0, 3.0])
@@ -87,6 +87,51 @@ def test_numbers_come_as_arrays_and_other_values_are_refused():
         numbers(Function(lambda v: "up"), (1.0,))
     with pytest.raises(AssertionError, match=r"gives   1 thing instead of 2$"):
         numbers(Function(lambda v: [1.0]), (1.0,), count=2)
+
+
+UP = [0.0, 0.0, 1.0]
+BODY = plainly([1, 2, 3], UP, UP, 1.0, np.eye(3))
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "wrong", "said"),
+    [
+        (
+            "apply_impulse",
+            (BODY, BODY, UP),
+            (np.zeros((0, 3)),) * 4,
+            r"shape (\(0, 3\), ){3}\(0, 3\) instead of \(3,\)",
+        ),
+        ("normal_velocity", (BODY, BODY, UP), np.zeros(3), r"of shape \(3,\) instead of \(\)$"),
+        ("world_inverse_inertia", (UP, [1.0, 0, 0, 0]), np.ones(3), r"of shape \(3,\) instead of \(3, 3\)$"),
+        (
+            "face_planes",
+            (np.eye(3), np.array([[0, 1, 2]])),
+            (UP, 0.5),
+            r"of shape \(3,\), \(\) instead of \(n, 3\), \(n,\)$",
+        ),
+        ("kinematic_response", (UP, UP, 0.5, UP), [], r"of shape \(0,\) instead of \(3,\)$"),
+    ],
+)
+def test_a_property_is_asked_of_the_right_shape_alone(name, arguments, wrong, said):
+    with pytest.raises(AssertionError, match=said):
+        numbers(
+            Function(lambda *_: wrong, name=name), plainly(*arguments), len(wrong) if isinstance(wrong, tuple) else 1
+        )
+
+
+def test_a_list_without_rows_fits_any_number_of_rows_and_several_cases_may_share_an_output():
+    contacts = [], [], np.zeros((0, 3)), [], [], []
+    assert len(numbers(Function(lambda *_: contacts, name="collect_contacts"), (1.0, 2.0, 3.0), 6)) == 6
+    several = plainly([[1, 2, 3], [4, 5, 6]], UP, 0.5, UP)
+    assert numbers(Function(lambda *_: np.zeros((2, 3)), name="kinematic_response"), several).shape == (2, 3)
+
+
+def test_infinite_numbers_are_asked_for_where_they_may_be_right():
+    ray = plainly(UP, UP, 1.0)
+    assert numbers(Function(lambda *_: math.inf, name="ray_sphere"), ray, finite=False) == math.inf
+    with pytest.raises(AssertionError, match="where finite numbers should be"):
+        numbers(Function(lambda *_: math.inf, name="ray_sphere"), ray)
 
 
 def test_a_function_that_prints_instead_of_returning_hears_so():

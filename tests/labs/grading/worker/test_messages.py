@@ -66,13 +66,41 @@ def test_every_plain_value_arrives_as_sent(value):
     assert same(value, there_and_back(value))
 
 
-@given(st.integers(0, 2**52 - 1), st.booleans())
-def test_a_nan_keeps_its_payload_and_an_infinity_its_sign(payload, negative):
-    bits = (0x7FF << 52 | payload | negative << 63).to_bytes(8, "big")
+QUIET = 1 << 51
+
+
+@given(st.sampled_from([0, 1]), st.integers(0, QUIET - 1), st.booleans())
+def test_a_nan_keeps_its_payload_and_an_infinity_its_sign(is_nan, payload, negative):
+    bits = (0x7FF << 52 | is_nan * (QUIET | payload) | negative << 63).to_bytes(8, "big")
     odd = struct.unpack(">d", bits)[0]
     assert struct.pack(">d", there_and_back(odd)) == bits
     array = np.frombuffer(bits, ">f8")
     assert there_and_back(array).tobytes() == bits
+
+
+SIGNALLING = {
+    "a double": np.array([0x7FF0000000000001, 0xFFF7FFFFFFFFFFFF], "<u8").view("<f8"),
+    "a double of the other byte order": np.array([0x7FF4000000000000], ">u8").view(">f8"),
+    "single precision": np.array([0x7F800001, 0xFFBFFFFF], "<u4").view("<f4"),
+    "half precision": np.array([[0x7C01], [0xFDFF]], "<u2").view("<f2"),
+    "a complex number": np.array([0x7FF0000000000001, 0], "<u8").view("<c16"),
+    "a wide float": np.frombuffer((b"\x01" * 8 + b"\xff\x7f").ljust(np.longdouble().itemsize, b"\0"), np.longdouble),
+}
+
+
+@pytest.mark.parametrize("array", SIGNALLING.values(), ids=SIGNALLING)
+def test_bits_of_which_the_processor_complains_arrive_as_a_quiet_nan(array):
+    for arrived in (there_and_back(array), there_and_back(array[0])):
+        with np.errstate(all="raise"):
+            parts = np.ravel([np.real(arrived), np.imag(arrived)])
+            assert np.isnan(parts.astype(float)).any()
+            assert not np.any(parts - 1 == parts)
+
+
+def test_a_number_of_python_that_signals_arrives_as_a_quiet_nan():
+    message = b'["float","7ff0000000000001"]'
+    with np.errstate(all="raise"):
+        assert np.isnan(np.asarray([unpack(message)]) - 1.0).all()
 
 
 @pytest.mark.parametrize("array", [np.arange(12.0).reshape(3, 4).T, np.arange(10)[::-2], np.broadcast_to(1.0, (2, 3))])
