@@ -108,8 +108,9 @@ BODY = plainly([1, 2, 3], UP, UP, 1.0, np.eye(3))
             "face_planes",
             (np.eye(3), np.array([[0, 1, 2]])),
             (UP, 0.5),
-            r"of shape \(3,\), \(\) instead of \(n, 3\), \(n,\)$",
+            r"of shape \(3,\), \(\) instead of \(1, 3\), \(1,\)$",
         ),
+        ("candidate_pairs", (np.eye(3), np.eye(3)), np.zeros(2), r"of shape \(2,\) instead of \(n, 2\)$"),
         ("kinematic_response", (UP, UP, 0.5, UP), [], r"of shape \(0,\) instead of \(3,\)$"),
     ],
 )
