@@ -101,7 +101,9 @@ def grade(
     if nobody and roster:
         raise InvalidInput(nobody)
     failures, book = Failures(), Book(out)
-    read_bank(bank), naming.read_waiting(out)  # what is wrong with them is said before anything is graded
+    people = {*book.everybody(), *(student.id for student in found.students)}
+    # What is wrong with a file of the instructor's is said before anything is graded.
+    read_bank(bank), naming.read_waiting(out), written.read_tables(out, topic, people)
     machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1, out / WORKING)
     home = folder_for("the grades", out, "--out", private=True)
     with _resumable(book, found), home, book.alone(), machines as graders:
@@ -109,11 +111,10 @@ def grade(
         _grade_all(book, found, tasks(found, release, seconds, runs, failures), graders, failures)
         code_alone = sum(map(written.is_code_alone, map(book.grade_of, found.handed)))
         written.write_questions(out, topic, answers(found, book), code_alone)
-        asked, place = written.questions(topic), out / written.FOLDER
-        first, second = (written.read_points(place / name, asked) for name in (written.POINTS, written.SECOND))
+        first, second = (table.given for table in written.read_tables(out, topic, people))
         with refused_in_words("the course's bank", bank, "--bank"):
             names, waiting, notes = naming.name_filled_in(out, read_bank(bank))
-        marker = Marker(book, deadlines, failures, written.Codes(out), asked, first, names)
+        marker = Marker(book, deadlines, failures, written.Codes(out), written.questions(topic), first, names)
         every = marks(found, marker)
         shared = shared_mistakes(every, marker, waiting)
         naming.write_waiting(out, shared, waiting, names)

@@ -103,6 +103,11 @@ class Book:
             write_private(place / RUNS, as_json({"identity": graded.content["identity"], "runs": graded.runs}))
         write_private(place / GRADE, as_json(graded.content))
 
+    def everybody(self) -> set[str]:
+        """All students who were ever graded here, those included whose grade is put away."""
+        grades = [*self.folder.glob(f"{STUDENTS}/*/{GRADE}"), *self.folder.glob(f"{WITHDRAWN}/*/{GRADE}")]
+        return {str(_identity(path).get("student", "")) for path in grades}
+
     def withdraw_others(self, students: Iterable[str], lab: str) -> list[str]:
         """Put away the grades of a lab of students who hand in nothing any more, and say whose they were."""
         kept, gone = {self.place(each) for each in students}, []

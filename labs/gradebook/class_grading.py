@@ -12,6 +12,7 @@ from labs.gradebook.arrivals import Arrival, Missing, arrivals, content_of
 from labs.gradebook.book import Book, Failures
 from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, Deadlines
 from labs.gradebook.grading import Task
+from labs.gradebook.marking import Given, Key
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster, clusters
 from labs.gradebook.mistakes.course_bank import CourseBank
@@ -22,7 +23,7 @@ from labs.gradebook.runs_compared import compared, spreads
 from labs.gradebook.tables import Mark, junit, plain_table
 from labs.gradebook.times import Received
 from labs.gradebook.upload import Target, filled
-from labs.gradebook.written import Codes, Given, Question, given_to, is_code_alone
+from labs.gradebook.written import Codes, Question, given_to, is_code_alone
 from labs.grading.judging.grade import write_private
 from labs.grading.safe_text import one_line
 
@@ -139,7 +140,7 @@ class Marker:
     failures: Failures
     codes: Codes
     asked: tuple[Question, ...]
-    given: Mapping[tuple[str, str], Given]
+    given: Mapping[Key, Given]
     bank: CourseBank
 
     def questions(self, student: str, content: Mapping[str, Any]) -> float | None:

@@ -18,12 +18,13 @@ import jinja2
 from labs.assessment.shares import CODE, SHARES
 from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.in_common import items, mistakes, weakest
+from labs.gradebook.marking import Given
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster
 from labs.gradebook.runs_compared import Compared, Spread
 from labs.gradebook.similarity import right_code
 from labs.gradebook.tables import Mark
-from labs.gradebook.written import Given, Question, is_code_alone
+from labs.gradebook.written import Question, is_code_alone
 from labs.grading.diagnosis.deviations import Answer
 from labs.grading.diagnosis.fingerprints.reading import known
 from labs.grading.diagnosis.output_names import output_names

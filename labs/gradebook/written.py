@@ -5,16 +5,13 @@
     grades/questions/second.csv       every tenth answer again, for a second marker; agreement is reported
 
 Names are replaced by short codes, which belong to this folder of grades and stay the same in every run. The order of
-the answers differs from question to question, so that nobody is always read last. A line that somebody has filled in is
-never overwritten.
+the answers differs from question to question, so that nobody is always read last. `marking` reads the tables.
 """
 
 from __future__ import annotations
 
-import csv
 import hashlib
 import hmac
-import io
 import secrets
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,21 +22,23 @@ import jinja2
 
 from labs.building import lessons
 from labs.building.instructor_page import parts
-from labs.gradebook.tables import defused
+from labs.gradebook.marking import Given, Key, Table, read_table
 from labs.gradebook.typeset import typeset
 from labs.grading.judging.grade import write_private
 from labs.grading.submission.cells import read_cells
-from reference.errors import InvalidInput
 
 FOLDER, POINTS, SECOND = "questions", "points.csv", "second.csv"
-COLUMNS = ("question", "code", "possible", "points", "comment")
 SAMPLE = 10
 """Every so many answers, one goes to a second marker."""
 _SECRET = ".codes"
 _OPEN = "*Your answer:*"
 """What a student's notebook says where the answer goes."""
-_LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
-"""Without those that are easily taken for each other."""
+_LETTERS = ("BCDFGHJKLMNPQRSTVWXZ", 6)
+"""Of a code, and how many of them: a spreadsheet takes 23E45 for a number, MAR22 for a date and FALSE for a verdict."""
+_LETTERS_BEFORE = ("ABCDEFGHJKLMNPQRSTUVWXYZ23456789", 5)
+"""Of a code in a folder whose secret an earlier release has made: it keeps its codes."""
+_MADE = "letters "
+"""With this a secret begins whose codes have letters alone."""
 
 
 @dataclass(frozen=True)
@@ -51,14 +50,6 @@ class Question:
     text: str
     model: str
     points: int
-
-
-@dataclass(frozen=True)
-class Given:
-    """Points that a marker gave for an answer, None if it is not marked yet."""
-
-    points: float | None
-    comment: str = ""
 
 
 def questions(lab: str) -> tuple[Question, ...]:
@@ -98,13 +89,15 @@ class Codes:
     def __init__(self, folder: Path) -> None:
         path = folder / _SECRET
         if not path.is_file():
-            write_private(path, secrets.token_hex(32))
-        self._secret = path.read_text(encoding="utf-8").strip().encode()
+            write_private(path, _MADE + secrets.token_hex(32))
+        secret = path.read_text(encoding="utf-8").strip()
+        self._letters, self._length = _LETTERS if secret.startswith(_MADE) else _LETTERS_BEFORE
+        self._secret = secret.encode()
 
     def __call__(self, student: str) -> str:
         """The code of a student."""
         found = self._digest(student)
-        return "".join(_LETTERS[byte % len(_LETTERS)] for byte in found[:5])
+        return "".join(self._letters[byte % len(self._letters)] for byte in found[: self._length])
 
     def order(self, students: Iterable[str], question: str) -> list[str]:
         """Students in the order in which their answers to a question are read."""
@@ -137,61 +130,33 @@ def write_questions(folder: Path, lab: str, answers: Mapping[str, Mapping[str, s
         lines += [(question.key, code, question.points) for code, _ in shown]
     sample = [line for number, line in enumerate(lines) if number % SAMPLE == 0]
     for name, each in ((POINTS, lines), (SECOND, sample)):
-        before = read_points(place / name, asked)
-        write_private(place / name, _table([*each, *_kept(before, each, asked)], before))
+        read_table(place / name, _possible(asked)).write(each)
 
 
-def _kept(
-    before: Mapping[tuple[str, str], Given], lines: Sequence[tuple[str, str, int]], asked: Sequence[Question]
-) -> list[tuple[str, str, int]]:
-    """Lines that somebody has filled in for answers that are not there this time, as in a run on another folder."""
-    there, possible = {line[:2] for line in lines}, {question.key: question.points for question in asked}
-    filled = [key for key, given in before.items() if given.points is not None or given.comment]
-    return [(question, code, possible[question]) for question, code in filled if (question, code) not in there]
-
-
-def _table(lines: Sequence[tuple[str, str, int]], before: Mapping[tuple[str, str], Given]) -> str:
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    for question, code, possible in lines:
-        given = before.get((question, code), Given(None))
-        points = "" if given.points is None else f"{given.points:g}"
-        writer.writerow([question, code, possible, points, defused(given.comment)])
-    return text.getvalue()
-
-
-def read_points(path: Path, asked: Sequence[Question]) -> dict[tuple[str, str], Given]:
-    """What a marker has filled in, by question and code; empty if there is no file yet.
+def read_tables(folder: Path, lab: str, students: Iterable[str]) -> tuple[Table, Table]:
+    """What two markers have filled in, the first and the second. students: everybody who was ever graded here.
 
     Raises
     ------
     InvalidInput
-        If a line has another question, or points that its question does not have: the message names the line.
+        If a table cannot be read, or a line is not as it has to be or has a code that none of these students has.
     """
-    if not path.is_file():
-        return {}
-    possible = {question.key: question.points for question in asked}
-    found = {}
-    with open(path, encoding="utf-8-sig", newline="") as file:
-        for number, row in enumerate(csv.DictReader(file), 2):
-            key, said = row.get("question") or "", (row.get("points") or "").strip().replace(",", ".")
-            where = f"line {number} of {path.name}"
-            if key not in possible:
-                raise InvalidInput(f"{where} has the question {key!r}; there are {', '.join(possible)}")
-            try:
-                points = float(said) if said else None
-            except ValueError:
-                raise InvalidInput(f"{where} has {said!r} points: write a number") from None
-            if points is not None and not 0 <= points <= possible[key]:
-                raise InvalidInput(f"{where} gives {points:g} points; the question {key} has {possible[key]}")
-            comment = (row.get("comment") or "").removeprefix("'")
-            found[key, row.get("code") or ""] = Given(points, comment)
-    return found
+    place, possible = folder / FOLDER, _possible(questions(lab))
+    first, second = (read_table(place / name, possible) for name in (POINTS, SECOND))
+    if first.given or second.given:
+        codes = Codes(folder)
+        known = {codes(student) for student in students}
+        first.refuse_codes_of_nobody(known)
+        second.refuse_codes_of_nobody(known)
+    return first, second
+
+
+def _possible(asked: Iterable[Question]) -> dict[str, int]:
+    return {question.key: question.points for question in asked}
 
 
 def given_to(
-    student: str, codes: Codes, asked: Sequence[Question], found: Mapping[tuple[str, str], Given],
+    student: str, codes: Codes, asked: Sequence[Question], found: Mapping[Key, Given],
     answers: Mapping[str, str],
 ) -> float | None:  # fmt: skip
     """The points of a student's questions; None as long as an answer is not marked. No answer earns nothing."""
@@ -205,7 +170,7 @@ def given_to(
     return total
 
 
-def agreement(first: Mapping[tuple[str, str], Given], second: Mapping[tuple[str, str], Given]) -> str:
+def agreement(first: Mapping[Key, Given], second: Mapping[Key, Given]) -> str:
     """How far two markers agree about the answers that both have marked, in words; empty if there is none."""
     pairs = [
         (first[key].points, given.points)

@@ -22,10 +22,11 @@ from labs.building.archives import files_below
 from labs.building.points import points_of
 from labs.building.release import release
 from labs.gradebook import written
-from labs.gradebook.book import GRADE, STUDENTS
+from labs.gradebook.book import GRADE, STUDENTS, Book
+from labs.gradebook.marking import Given, Key
 from labs.gradebook.mistakes.course_bank import CourseBank
 from labs.gradebook.platforms import nbgrader as marks_of_nbgrader
-from labs.gradebook.written import Codes, Given
+from labs.gradebook.written import Codes
 from labs.grading.judging.grade import as_json, read_grade
 from labs.project_folders import ROOT
 from reference import lecture
@@ -136,7 +137,7 @@ def nbgrader(grades: Path, lab: str, bank: CourseBank) -> Bundle:
     found = {str(each["identity"]["entry"]): bank.joined(each) for each in every if each["identity"]["lab"] == lab}
     if not found:
         raise InvalidInput(f"{str(grades)!r} has no grades of the lab {lab}: run collisions grade first")
-    points = written.read_points(grades / written.FOLDER / written.POINTS, asked)
+    points = written.read_tables(grades, lab, Book(grades).everybody())[0].given
     codes = Codes(grades) if points else str
     given = {entry: _given(points, codes(str(each["identity"]["student"]))) for entry, each in found.items()}
     worth = {name: points_of(name) for name in lessons.read(lab).written}
@@ -147,7 +148,7 @@ def nbgrader(grades: Path, lab: str, bank: CourseBank) -> Bundle:
     return Bundle({"marks.json": as_json(marks).encode("utf-8", "backslashreplace"), "into_gradebook.py": script})
 
 
-def _given(points: Mapping[tuple[str, str], Given], code: str) -> dict[str, Given]:
+def _given(points: Mapping[Key, Given], code: str) -> dict[str, Given]:
     """What a person gave for the answers of one student, by question."""
     return {key: each for (key, whose), each in points.items() if whose == code}
 

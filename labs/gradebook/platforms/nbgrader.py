@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from labs.gradebook.marking import Given
 from labs.gradebook.platforms import shapes
 from labs.gradebook.platforms.lines import Content, Paragraph, about, lines
 from labs.gradebook.platforms.text import markdown
-from labs.gradebook.written import Given, Question
+from labs.gradebook.written import Question
 
 SCHEMA = "collisions-lab/nbgrader"
 _SCORE = shapes.at_most(

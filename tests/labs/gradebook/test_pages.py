@@ -9,10 +9,11 @@ import pytest
 
 from labs.gradebook.deadlines import Deadlines, Lateness
 from labs.gradebook.in_common import items, mistakes, weakest
+from labs.gradebook.marking import Given
 from labs.gradebook.pages import class_page, student_page
 from labs.gradebook.roster import Student
 from labs.gradebook.tables import Mark
-from labs.gradebook.written import Given, questions
+from labs.gradebook.written import questions
 from labs.grading.diagnosis.misconceptions import read_bank
 
 KNOWN = next(entry for entry in read_bank() if entry.function == "normal_velocity")

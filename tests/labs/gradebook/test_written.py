@@ -6,23 +6,23 @@ import csv
 
 import pytest
 
+from labs.gradebook.marking import Given, read_table
 from labs.gradebook.written import (
     POINTS,
-    SECOND,
     Codes,
-    Given,
     agreement,
     answers_in,
     given_to,
     questions,
-    read_points,
+    read_tables,
     write_questions,
 )
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference.errors import InvalidInput
 
 ASKED = questions("impulse")
-KEYS = [question.key for question in ASKED]
+POSSIBLE = {question.key: question.points for question in ASKED}
+KEYS = [*POSSIBLE]
 ANSWERS = {f"{number}": {KEYS[0]: f"<b>{number}</b>", KEYS[1]: "" if number == 3 else "=yes"} for number in range(25)}
 
 
@@ -81,14 +81,14 @@ def test_what_a_marker_filled_in_comes_back_and_is_never_overwritten(folder):
     )
     for _ in range(2):
         write_questions(folder.parent, "impulse", ANSWERS)
-        found = read_points(folder / POINTS, ASKED)
+        found = read_table(folder / POINTS, POSSIBLE).given
         codes = Codes(folder.parent)
         assert found[KEYS[0], codes("7")] == Given(2.5, "=well, “seen”")
         assert found[KEYS[1], codes("7")] == Given(None, "")
         assert (KEYS[1], codes("3")) not in found  # nothing was answered there
     write_questions(folder.parent, "impulse", {"1": ANSWERS["1"]})  # the wrong folder: only one student is in it
     write_questions(folder.parent, "impulse", ANSWERS)
-    assert read_points(folder / POINTS, ASKED) == found
+    assert read_table(folder / POINTS, POSSIBLE).given == found
 
 
 def test_points_count_once_every_answer_of_a_student_is_marked(folder):
@@ -106,7 +106,8 @@ def test_points_count_once_every_answer_of_a_student_is_marked(folder):
     [
         ({"points": "4"}, rf"line 2 of points.csv gives 4 points; the question {KEYS[0]} has 3"),
         ({"points": "-1"}, "gives -1 points"),
-        ({"points": "nan"}, "gives nan points"),
+        ({"points": "nan"}, "has 'nan' points: write a number"),
+        ({"points": "2", "code": ""}, "line 2 of points.csv has no code; .* There are 44 others like these"),
         ({"points": "good"}, "has 'good' points: write a number"),
         ({"question": "other"}, "has the question 'other'"),
     ],
@@ -114,11 +115,11 @@ def test_points_count_once_every_answer_of_a_student_is_marked(folder):
 def test_a_line_that_cannot_be_meant_is_named(folder, change, said):
     fill(folder / POINTS, lambda line: change)
     with pytest.raises(InvalidInput, match=said):
-        read_points(folder / POINTS, ASKED)
+        read_table(folder / POINTS, POSSIBLE)
 
 
 def test_every_tenth_answer_goes_to_a_second_marker_and_their_agreement_is_said(folder):
-    first, second = (read_points(folder / name, ASKED) for name in (POINTS, SECOND))
+    first, second = (table.given for table in read_tables(folder.parent, "impulse", ANSWERS))
     assert len(first) == 49
     assert len(second) == 5
     assert set(second) < set(first)

@@ -10,10 +10,11 @@ from datetime import UTC, datetime
 import pytest
 from made_platform_grades import HIDDEN_TITLE, HOSTILE, grade, unreadable
 
+from labs.gradebook.marking import Given
 from labs.gradebook.platforms import classroom50, gradescope, nbgrader, prairielearn
 from labs.gradebook.platforms.lines import lines
 from labs.gradebook.platforms.running import FAILED, run, written
-from labs.gradebook.written import Given, Question
+from labs.gradebook.written import Question
 from labs.grading.errors import GraderFailed
 from reference.errors import InvalidInput
 
