@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import contextlib
 import stat
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from functools import partial
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from labs.gradebook.chosen_file import Candidate, Entry, choice, in_words, listed
 from labs.gradebook.delivered_files import DeliveredFile, delivered, is_hidden, shown
@@ -195,7 +195,7 @@ def _submission(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
         size = f"{file.size / 2**20:.0f} MB, more than {most / 2**20:.0f}"
         return Missing(entry.owner, entry.name, f"{file.name} has {size}")
     other = [f"it holds {listed([chosen.file, *chosen.others])}; {_called(chosen.file, entries)} is graded"]
-    stamp = _timestamp([file for _, file in files])
+    stamp = _timestamp(entry, file, [each for other, each in files if other is entry])
     owner = replace(entry.owner, platform=NBGRADER) if stamp and entry.owner.platform == PLAIN else entry.owner
     received = moment(stamp) or moment(f"{stamp} UTC")  # nbgrader itself takes a time without a zone for UTC
     notes = (*other * bool(chosen.others), *named)
@@ -206,12 +206,18 @@ def _called(file: Candidate, entries: Sequence[Entry]) -> str:
     return file.entry.name if len(entries) > 1 else file.file.name
 
 
-def _timestamp(files: Sequence[DeliveredFile]) -> str:
-    """When a submission was handed in, as nbgrader writes it; empty if it does not."""
+def _timestamp(entry: Entry, graded: DeliveredFile, files: Iterable[DeliveredFile]) -> str:
+    """When a submission was handed in, as nbgrader writes it into the folder of the assignment; empty if it does not.
+
+    Anywhere else, such as in an archive or beside another platform's name, the student may have written the file.
+    """
+    if entry.owner.platform != PLAIN or not _is_folder(entry.path):
+        return ""
+    places = (PurePosixPath(TIMESTAMP), PurePosixPath(*graded.path.parts[:-1][:1], TIMESTAMP))
     for file in files:
-        if file.path.name == TIMESTAMP and not file.shut:
+        if file.path in places and not file.shut:
             with contextlib.suppress(OSError, UnreadableSubmission):
-                return file.read(_TIME).decode("utf-8", "replace").strip()
+                return file.read(_TIME).decode("utf-8-sig", "replace").strip()
     return ""
 
 

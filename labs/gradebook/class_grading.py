@@ -173,7 +173,7 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     late = marker.deadlines.lateness(student.id, found.lab, received, arrival.owner.platform in found.call_late)
     notes += arrival.notes
     if received.stamp and late.said in (NO_TIME, CALLED_LATE):
-        notes.append(f"the platform's {one_line(received.stamp, 60)!r} is no time in a zone that is known")
+        notes.append(f"the platform says {one_line(received.stamp, 60)!r}, which is not a time in one known zone")
     if student.id in marker.failures.said:
         return Mark(student, found.lab, None, late=late, notes=(*notes, marker.failures.said[student.id]))
     content = marker.book.grade_of(student.id)

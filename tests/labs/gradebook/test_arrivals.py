@@ -89,6 +89,30 @@ def test_nbgraders_folder_is_found_below_with_its_times(tmp_path):
     assert ada.received == datetime(2026, 11, 30, 22, 10, 0, 123456, UTC)
 
 
+def test_a_time_of_another_assignment_or_one_that_a_student_wrote_does_not_count(tmp_path):
+    early = "2026-11-01 12:00:00 UTC"
+    put(tmp_path, "ada/avoidance/timestamp.txt", early)
+    put(tmp_path, "ada/impulse/impulse.ipynb")
+    put(tmp_path, "ada/impulse/old/timestamp.txt", early)
+    put(tmp_path, "Bob_31_assignsubmission_file_/impulse.ipynb")
+    put(tmp_path, "Bob_31_assignsubmission_file_/timestamp.txt", early)
+    with zipfile.ZipFile(tmp_path / "cyd.zip", "w") as archive:
+        archive.writestr("impulse.ipynb", "x = 1")
+        archive.writestr("timestamp.txt", early)
+    assert [(each.received, each.stamp) for each in arrivals(tmp_path, "impulse")[0]] == [(None, "")] * 3
+
+
+def test_what_nbgrader_says_of_the_time_is_kept_where_nobody_can_read_it(tmp_path):
+    for name, stamp in (("ada", "\ufeff2026-11-30 22:10:00"), ("bob", "2026-11-30 22:10:00 CST"), ("cyd", "soon")):
+        put(tmp_path, f"submitted/{name}/ps1/impulse.ipynb")
+        put(tmp_path, f"submitted/{name}/ps1/timestamp.txt", f"{stamp}\n")
+    assert [(each.received, each.stamp) for each in arrivals(tmp_path, "impulse")[0]] == [
+        (datetime(2026, 11, 30, 22, 10, tzinfo=UTC), "2026-11-30 22:10:00"),
+        (None, "2026-11-30 22:10:00 CST"),
+        (None, "soon"),
+    ]
+
+
 def test_of_several_files_the_one_of_the_lab_is_graded(tmp_path):
     put(tmp_path, "ada/detection.ipynb")
     put(tmp_path, "ada/Impulse.ipynb")
