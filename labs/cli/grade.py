@@ -12,7 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors, output
-from labs.gradebook import written
+from labs.gradebook import protection, written
 from labs.gradebook.book import STUDENTS, WORKING, Book, Failures, run
 from labs.gradebook.class_grading import (
     MARKS,
@@ -35,6 +35,7 @@ from labs.gradebook.roster import Roster, read_roster
 from labs.gradebook.upload import target
 from labs.grading.budget import SECONDS
 from labs.grading.safe_text import one_line
+from labs.grading.worker.sandbox import Sealing
 from labs.workers import Workers, here, on_cluster
 from reference import lecture
 from reference.errors import InvalidInput
@@ -80,6 +81,12 @@ def grade(
         bool,
         typer.Option(help="Also run everybody's functions in the scenarios of the lab, beside the recorded engines."),
     ] = True,
+    unsandboxed: Annotated[
+        bool,
+        typer.Option(
+            protection.SWITCH, help="Grade even where a submission can read and write the files of this machine."
+        ),
+    ] = False,
     workers: Annotated[
         int | None, typer.Option("--jobs", "-j", min=1, help="Submissions at a time; by default one per processor.")
     ] = None,
@@ -100,6 +107,8 @@ def grade(
     nobody = _deadlines_of_nobody(deadlines, found)
     if nobody and roster:
         raise InvalidInput(nobody)
+    if not (unsandboxed or cluster):
+        protection.refuse_open_files(protection.offered(), folder, topic, out)
     failures, book = Failures(), Book(out)
     people = {*book.everybody(), *(student.id for student in found.students)}
     # What is wrong with a file of the instructor's is said before anything is graded.
@@ -107,8 +116,11 @@ def grade(
     machines = on_cluster(cluster) if cluster else here(workers or os.cpu_count() or 1, out / WORKING)
     home = folder_for("the grades", out, "--out", private=True)
     with _resumable(book, found), home, book.alone(), machines as graders:
+        if cluster and not unsandboxed:
+            protection.refuse_open_files(_offered_by(graders), folder, topic, out)
         gone = book.withdraw_others(found.handed, topic)
-        _grade_all(book, found, tasks(found, release, seconds, runs, failures), graders, failures)
+        every_task = tasks(found, release, seconds, runs, failures, unsandboxed)
+        _grade_all(book, found, every_task, graders, failures)
         code_alone = sum(map(written.is_code_alone, map(book.grade_of, found.handed)))
         written.write_questions(out, topic, answers(found, book), code_alone)
         first, second = (table.given for table in written.read_tables(out, topic, people))
@@ -123,6 +135,8 @@ def grade(
             page = write_pages(book, found, every, marker, shared, advance)
     graded = sum(mark.content is not None for mark in every)
     _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
+    if said := protection.in_words(mark.content for mark in every if mark.content is not None):
+        _say(said)
     _say_all([f"The grade of {student} is put away: nothing is handed in any more." for student in gone])
     _say_all([*notes, *names.notes(topic)])
     todo = [*left_to_do(out, found, every, failures, shared), *[nobody] * bool(nobody)]
@@ -134,6 +148,12 @@ def grade(
     _say(one_line(f"To upload: {tables[-1]}, {to.said}." if to else f"Marks: {out / MARKS}.", MOST_LETTERS))
     _say(f"If you are curious: {page} is about the class, and {out / STUDENTS} has a page for each student.")
     raise typer.Exit(FAILED if failures.said else 0)
+
+
+def _offered_by(graders: Workers) -> Sealing:
+    """How far the workers of a cluster shut submissions in, as the first that answers says."""
+    with graders.pool() as pool:
+        return pool.submit(protection.offered).result()
 
 
 def _deadlines_of_nobody(deadlines: Deadlines, found: Class) -> str:

@@ -27,6 +27,7 @@ from typing import Any
 
 from labs.gradebook.grading import Graded, Task, grade_one, identity
 from labs.gradebook.locks import locked
+from labs.gradebook.protection import is_open
 from labs.grading.budget import ON_THE_CLOCK
 from labs.grading.errors import GraderFailed, MachineBusy
 from labs.grading.judging.grade import as_json, read_grade, write_private
@@ -85,9 +86,12 @@ class Book:
             return ""
 
     def is_done(self, task: Task) -> bool:
-        """Whether the grade that is there is the one of this submission, and its runs are there if they are wanted."""
+        """Whether the grade that is there is the one of this submission, and its runs are there if they are wanted.
+
+        A grade that was made without protection of files is made again where there is protection.
+        """
         found = self.grade_of(task.student)
-        if found is None or found.get("identity") != identity(task):
+        if found is None or found.get("identity") != identity(task) or (is_open(found) and not task.unsandboxed):
             return False
         return not task.with_runs or "unreadable" in found or self.runs_of(task.student) is not None
 

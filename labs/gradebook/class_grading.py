@@ -96,7 +96,9 @@ def _student(found: Class, entry: Arrival | Missing) -> Student:
     return student
 
 
-def tasks(found: Class, release: str, seconds: float, with_runs: bool, failures: Failures) -> Iterator[Task]:
+def tasks(
+    found: Class, release: str, seconds: float, with_runs: bool, failures: Failures, unsandboxed: bool = False
+) -> Iterator[Task]:
     """The submissions as tasks; each is read only when it is wanted.
 
     One that is damaged joins those from which nothing can be graded, and what else cannot be read the failures.
@@ -125,6 +127,7 @@ def tasks(found: Class, release: str, seconds: float, with_runs: bool, failures:
             release,
             seconds,
             with_runs,
+            unsandboxed,
         )
 
 

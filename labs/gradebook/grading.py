@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from labs.building.marking import marks_of
-from labs.gradebook import scenario_runs
+from labs.gradebook import protection, scenario_runs
 from labs.gradebook.similarity import own_code
 from labs.gradebook.written import answers_in, questions
 from labs.grading.calling.remote import Grader, Limits
@@ -32,6 +32,7 @@ from labs.grading.diagnosis.fingerprints.reading import FOLDER as FINGERPRINTS
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.judging.grade import SCHEMA, VERSION, grade
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
+from labs.grading.worker.tier import Tier
 from labs.project_folders import AUTOGRADER
 from reference.errors import InvalidInput
 
@@ -41,6 +42,7 @@ class Task:
     """A submission to grade. student: the number. file: its name, which a message may show. content: its bytes.
 
     with_runs: whether its functions also run in the scenarios of the lab, which changes nothing in the grade.
+    unsandboxed: whether it may be graded where it can open the files of the machine.
     """
 
     student: str
@@ -52,6 +54,7 @@ class Task:
     release: str
     seconds: float
     with_runs: bool = False
+    unsandboxed: bool = False
 
 
 @dataclass(frozen=True)
@@ -150,7 +153,7 @@ def _grade(task: Task) -> Graded:
         path.write_bytes(task.content)
         code = own_code(path, task.lab)
         try:
-            found = grade(path, [task.lab], grader=_grader(), seconds=task.seconds)
+            found = grade(path, [task.lab], grader=_grader(task.unsandboxed), seconds=task.seconds)
             marks = marks_of(found.sheet, path, task.lab)
         except (UnreadableSubmission, InvalidInput) as error:
             content |= {"unreadable": str(error), "marks": {}, "points": 0.0}
@@ -161,7 +164,9 @@ def _grade(task: Task) -> Graded:
             }
             content["points"] = round(marks.total, 4)
             content["answers"] = answers_in(path, [question.key for question in questions(task.lab)])
-            runs = scenario_runs.run(path, task.lab, _grader(), task.seconds) if task.with_runs else None
+            runs = (
+                scenario_runs.run(path, task.lab, _grader(task.unsandboxed), task.seconds) if task.with_runs else None
+            )
     content["identity"]["versions"] = versions(task.lab)  # others than before if a test was edited meanwhile
     measured = {
         "seconds": time.monotonic() - began,
@@ -175,8 +180,8 @@ def _grade(task: Task) -> Graded:
 
 
 @cache
-def _grader() -> Grader:
+def _grader(unsandboxed: bool) -> Grader:
     """The grader of this worker; it ends with the worker's process."""
-    grader = Grader(Limits())
+    grader = Grader(Limits(), least=Tier.PROCESS if unsandboxed else protection.LEAST)
     atexit.register(grader.close)
     return grader

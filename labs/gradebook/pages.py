@@ -16,6 +16,7 @@ from typing import Any
 import jinja2
 
 from labs.assessment.shares import CODE, SHARES
+from labs.gradebook import protection
 from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.in_common import items, mistakes, weakest
 from labs.gradebook.marking import Given
@@ -94,7 +95,7 @@ def class_page(
         mistakes=[each for each in known if each.students > 1], alone=sum(each.students == 1 for each in known),
         code_alone=sum(map(is_code_alone, contents)), most=SHARES[CODE],
         unnamed=[(len(each.students), each.function) for each in shared], runs=runs,
-        slowest=sorted(measured.items(), key=lambda each: -each[1])[:5],
+        protection=protection.in_words(contents), slowest=sorted(measured.items(), key=lambda each: -each[1])[:5],
     )  # fmt: skip
 
 

@@ -23,6 +23,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
 _NOT_XML = re.compile(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 COLUMNS = (
     "student_id", "name", "assignment", "raw_score", "late_penalty", "score", "max_score", "open", "late", "notes",
+    "protection",
 )  # fmt: skip
 
 
@@ -69,6 +70,7 @@ def _line(mark: Mark) -> list[str]:
         defused(mark.student.id), defused(mark.student.name), mark.lab, number(raw),
         number(None if raw is None or score is None else raw - score), number(score), number(OUT_OF),
         number(mark.open), defused(mark.late.said), defused("; ".join(mark.notes)),
+        str((mark.content or {}).get("tier", "")),
     ]  # fmt: skip
 
 

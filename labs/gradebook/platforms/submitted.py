@@ -1,4 +1,7 @@
-"""Grades the one submission that a platform has put into a folder, on the platform's machine."""
+"""Grades the one submission that a platform has put into a folder, on the platform's machine.
+
+That machine is a container that the platform throws away, so the submission is graded even where there is no sandbox.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ def graded_folder(folder: Path, lab: str, student: str) -> Graded:
         content = {"schema": SCHEMA, "version": VERSION, "identity": identity, "unreadable": f"{arrived.why}."}
         return Graded(student, {**content, "marks": {}, "points": 0.0}, {"seconds": 0.0})
     found, read = arrived
-    task = Task(student, "", lab, found.entry, found.file, read, "", SECONDS)
+    task = Task(student, "", lab, found.entry, found.file, read, "", SECONDS, unsandboxed=True)
     graded = grade_one(task)
     graded.content["notes"] = list(found.notes)
     return graded

@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 import labs.grading.worker
+from labs.project_folders import AUTOGRADER, ROOT
 
 OPTIONS = ("-I", "-S", "-B", "-X", "utf8", "-c")
 """Of a worker's interpreter: nothing of the user's settings, and no packages but those that it is told of."""
@@ -36,13 +37,21 @@ def lay_out(folder: Path) -> None:
         (folder / package / "__init__.py").touch()
 
 
+def is_anything_to_hide() -> bool:
+    """Whether this copy of the lab has what a submission must not see: a student's has neither of them."""
+    return (ROOT / "solutions").is_dir() or (AUTOGRADER / "hidden").is_dir()
+
+
 def lay_out_with_numpy(folder: Path) -> bool:
     """Copy NumPy as well, whose place may tell where the lab is installed, for the many interpreters that begin there.
 
-    Returns False, and leaves the copy out, if it does not work: some builds need libraries near their own place.
+    Returns False without a copy where nothing is to be hidden, or where a copy does not work: some builds of NumPy need
+    libraries near their own place.
     """
     lay_out(folder)
     compileall.compile_dir(folder, quiet=2)
+    if not is_anything_to_hide():
+        return False
     beside = [_NUMPY.parent / name for name in _BESIDE_NUMPY if (_NUMPY.parent / name).is_dir()]
     for each in (_NUMPY, *beside):
         shutil.copytree(each, folder / each.name, ignore=_UNUSED)
