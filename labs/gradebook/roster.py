@@ -3,10 +3,11 @@
 | | columns that are read |
 |---|---|
 | Canvas' gradebook | `Student`, or `LastName` and `FirstName`; `ID`, `SIS User ID`, `SIS Login ID` |
-| Moodle's grading worksheet | `Identifier` (`Participant 4711`), `Full name`, `Email address`, `ID number`, in any of \
-the languages of `moodle.toml`; `Status` and `Last modified (submission)` say when a submission came |
+| Moodle's grading worksheet | `Identifier` (`Participant 4711`), `Full name`, `Email address`, `ID number` |
 | plain | `student_id`, and `name` or `first_name` and `last_name`, and `email` if there are such |
 | Gradescope, Brightspace, Blackboard | as a plain one: `SID`, `OrgDefinedId`, `Student ID` or `Username` |
+
+Moodle's columns are found in every language of `moodle.toml`; two of them say when a submission came.
 """
 
 from __future__ import annotations
