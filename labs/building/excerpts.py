@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from labs.grading.submission.slicing import Group, groups
+from labs.grading.submission.statements import Group, groups
 from labs.project_folders import ROOT
 from reference.errors import InvalidInput
 

@@ -15,7 +15,7 @@ from labs.building import lessons
 from labs.building.excerpts import Excerpt, TopicExcerpts, text_of
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.reading import read
-from labs.grading.submission.slicing import Group, groups
+from labs.grading.submission.statements import Group, groups
 from labs.grading.submission.stubs import is_stub
 from reference import lecture
 

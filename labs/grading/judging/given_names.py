@@ -8,7 +8,7 @@ import json
 from collections.abc import Collection
 from pathlib import Path
 
-from labs.grading.submission.slicing import groups
+from labs.grading.submission.statements import groups
 from labs.project_folders import STUDENT_NOTEBOOKS
 
 TAG = "given"

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import Cell, Complaint, merge_mark, place
-from labs.grading.submission.slicing import Group, defined_as
+from labs.grading.submission.statements import Group, defined_as
 from labs.grading.submission.syntax_errors import explained
 from reference import lecture
 

@@ -32,7 +32,8 @@ from labs.grading.submission.complaints import (
     with_its_cost,
 )
 from labs.grading.submission.magics import without_magics
-from labs.grading.submission.slicing import Group, called_in, defined_as, groups, needed, used_by
+from labs.grading.submission.slicing import needed, used_by
+from labs.grading.submission.statements import Group, called_in, defined_as, groups
 from labs.grading.submission.stubs import is_open_version, is_stub
 
 __all__ = ["Complaint", "Submission", "read"]

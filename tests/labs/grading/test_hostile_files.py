@@ -71,6 +71,26 @@ PYTHON: dict[str, Callable[[int], str]] = {
     "its own name on every line": lambda room: WRONG * (room // len(WRONG)),
     "one name on every line": lambda room: "f=1\n" * (room // 4 - 100) + WRONG,
     "changes of one object": lambda room: "a={}\n" + "a[0]=1\n" * (room // 7 - 100) + WRONG.replace("0.0", "a"),
+    "names for one object": lambda room: (
+        "a=[]\n" + "".join(f"a{n}=a{max(n - 1, 0)}\n" for n in range(room // 17)) + WRONG.replace("0.0", "a0")
+    ),
+    "a value that is made of many names": lambda room: (
+        f"a=[{as_many('NAME,', room // 2)}]\n" + "b=a\n" * (room // 9) + WRONG.replace("0.0", "a")
+    ),
+    "functions of one name and their calls": lambda room: (
+        "a=[]\n" + "def f(a):a[0]=a\n" * (room // 32) + "f(a)\n" * (room // 10) + WRONG.replace("0.0", "a")
+    ),
+    "parameters for a star": lambda room: (
+        f"a=[]\ndef f({as_many('NAME,', room // 2)[:-1]}):aa_[0]=1\n"
+        + "f(*a)\n" * (room // 12)
+        + WRONG.replace("0.0", "a")
+    ),
+    "functions that are given to one": lambda room: (
+        f"{as_many('def NAME(a):a[0]=1' + chr(10), room // 2)}list(map({as_many('NAME,', room // 4)}))\n" + WRONG
+    ),
+    "methods of a value of methods": lambda room: (
+        ("a" + ".pop()" * 800 + "\n") * (room // 4802) + WRONG.replace("0.0", "a")
+    ),
     "decorators": lambda room: "@rebound_velocity\n" * (room // 20) + WRONG,
     "stars": lambda room: "from math import *\n" * (room // 20) + WRONG,
     "lines joined by backslashes": lambda room: WRONG.replace("0.0", "0.0" + "\\\n" * 50_000),

@@ -1,0 +1,194 @@
+"""Takes a source apart into the statements of its top level, and says which names each has to do with, and how."""
+
+from __future__ import annotations
+
+import ast
+import functools
+import symtable
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from labs.grading.submission.effects import Effects, Function, effects, functions_of
+
+_MOST_SCOPES = 200
+_DYNAMIC = {"exec", "globals"}  # they may bind any name
+_COMPOUND = ast.For | ast.AsyncFor | ast.While | ast.If | ast.With | ast.AsyncWith | ast.Try | ast.TryStar | ast.Match
+_SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
+
+
+@dataclass(frozen=True)
+class Group:
+    """Statements that share lines, and so are kept or left out together. first, last: their lines, from 1.
+
+    kinds: how each name that they bind is bound. modules: the package of each name that they import. uses: names that
+    they look up. inner: those that only their functions and classes look up. functions: that they define. does: what
+    they may do to objects. called: functions that they call by name. is_compound: whether they hold other statements,
+    as a loop does. is_dynamic: whether they may bind any name.
+    """
+
+    first: int
+    last: int
+    statements: tuple[ast.stmt, ...]
+    kinds: Mapping[str, str]
+    modules: Mapping[str, str]
+    uses: frozenset[str]
+    inner: frozenset[str]
+    functions: tuple[Function, ...]
+    does: Effects
+    is_compound: bool
+    is_dynamic: bool
+    called: frozenset[str]
+
+    @functools.cached_property
+    def calls(self) -> frozenset[str]:
+        """The functions that they call at once, with a dot before a method; decorators, and what is called for each."""
+        return self.called.union(
+            (f".{call.name}" for call in self.does.calls if call.receiver is not None),
+            (name for call in self.does.calls if call.for_effect for _, names in call.given for name in names),
+        )
+
+    @functools.cached_property
+    def constants(self) -> frozenset[str]:
+        """The names that they bind to what nothing can change."""
+        bindings = self.does.bindings
+        other = {each.name for each in bindings if not each.is_constant} | self.does.changes
+        return frozenset(each.name for each in bindings if each.is_constant) - other
+
+    @functools.cached_property
+    def defines(self) -> frozenset[str]:
+        """The names that they bind."""
+        return frozenset(self.kinds)
+
+
+@functools.lru_cache(maxsize=64)  # a file is read for its topics, for its tests, and for what its functions use
+def groups(source: str) -> tuple[Group, ...]:
+    """The source's top-level statements; raises SyntaxError, ValueError, RecursionError or MemoryError."""
+    tree = ast.parse(source)
+    scopes: dict[int, list[symtable.SymbolTable]] = {}
+    for scope in symtable.symtable(source, "submission", "exec").get_children():
+        scopes.setdefault(scope.get_lineno(), []).append(scope)
+    found: list[list[ast.stmt]] = []
+    for statement in tree.body:
+        if found and _first(statement) <= (found[-1][-1].end_lineno or 0):
+            found[-1].append(statement)
+        else:
+            found.append([statement])
+    return tuple(_group(statements, scopes) for statements in found)
+
+
+def defined_as(group: Group, name: str) -> str | None:
+    """How a group binds a name: "def", "class", "import" or "value"; None if it does not."""
+    return group.kinds.get(name)
+
+
+def called_in(group: Group) -> set[str]:
+    """The names that a group's statements call, also within their functions."""
+    return {name for each in group.statements for node in ast.walk(each) for name in _called(node)}
+
+
+def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.SymbolTable]]) -> Group:
+    first, last = _first(statements[0]), statements[-1].end_lineno or statements[-1].lineno
+    nodes = [list(_outside_scopes(statement)) for statement in statements]
+    every = [node for each in nodes for node in each]
+    # The last statement counts, and within it the outermost binding, which comes first.
+    kinds = dict(found for each in nodes for node in reversed(each) for found in _bindings(node))
+    inner = {name for line in range(first, last + 1) for scope in scopes.get(line, []) for name in _looked_up(scope)}
+    outer = {node.id for node in every if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store)}
+    outer |= {node.target.id for node in every if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name)}
+    return Group(
+        first,
+        last,
+        tuple(statements),
+        kinds,
+        modules=dict(found for node in every for found in _imports(node)),
+        uses=frozenset(inner | outer),
+        inner=frozenset(inner),
+        functions=tuple(function for node in every for function in functions_of(node)),
+        does=effects([*every, *_within_lambdas(every)], statements),
+        is_compound=any(isinstance(each, _COMPOUND) for each in statements),
+        is_dynamic=any(map(_binds_anything, every)),
+        called=frozenset(name for node in every for name in _called(node)),
+    )
+
+
+def _first(statement: ast.stmt) -> int:
+    decorators: list[ast.expr] = getattr(statement, "decorator_list", [])
+    return min([statement.lineno, *(each.lineno for each in decorators)])
+
+
+def _outside_scopes(statement: ast.stmt) -> Iterator[ast.AST]:
+    """The statement's nodes, those within functions, classes and comprehensions left out; decorators stay."""
+    waiting: list[ast.AST] = [statement]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if isinstance(node, _SCOPES):
+            waiting.extend(_evaluated_outside(node))
+        else:
+            waiting.extend(ast.iter_child_nodes(node))
+
+
+def _within_lambdas(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    return (inner for node in nodes if isinstance(node, ast.Lambda) for inner in ast.walk(node.body))
+
+
+def _evaluated_outside(scope: ast.AST) -> Iterator[ast.AST]:
+    """The parts of a function or class that are evaluated at its definition: decorators, defaults, bases."""
+    yield from getattr(scope, "decorator_list", [])
+    yield from getattr(scope, "bases", [])
+    if isinstance(arguments := getattr(scope, "args", None), ast.arguments):
+        yield from (each for each in (*arguments.defaults, *arguments.kw_defaults) if each is not None)
+
+
+def _looked_up(scope: symtable.SymbolTable) -> Iterator[str]:
+    """The global names that a scope and those within it look up.
+
+    `get_symbols` takes as many steps as a scope has names, times the scopes within it. So a function is asked for its
+    global names at once, and all names of a class that has more scopes in it than anybody writes count as looked up.
+    """
+    if isinstance(scope, symtable.Function):
+        yield from scope.get_globals()
+    elif len(scope.get_children()) > _MOST_SCOPES:
+        yield from scope.get_identifiers()
+    else:
+        yield from (symbol.get_name() for symbol in scope.get_symbols() if symbol.is_global())
+    for child in scope.get_children():
+        yield from _looked_up(child)
+
+
+def _bindings(node: ast.AST) -> Iterator[tuple[str, str]]:
+    """The name that a node binds, if it binds one, and how."""
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+        yield node.name, "def"
+    elif isinstance(node, ast.ClassDef):
+        yield node.name, "class"
+    elif isinstance(node, ast.alias):
+        yield _bound(node), "import"
+    elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        yield node.id, "value"
+
+
+def _imports(node: ast.AST) -> Iterator[tuple[str, str]]:
+    """The names that an import binds, each with the package that it comes from."""
+    if isinstance(node, ast.Import):
+        yield from ((_bound(alias), alias.name.partition(".")[0]) for alias in node.names)
+    elif isinstance(node, ast.ImportFrom):
+        yield from ((_bound(alias), (node.module or "").partition(".")[0]) for alias in node.names)
+
+
+def _called(node: ast.AST) -> Iterator[str]:
+    """The name that a node calls, or those that decorate it."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        yield node.func.id
+    yield from (each.id for each in getattr(node, "decorator_list", []) if isinstance(each, ast.Name))
+
+
+def _binds_anything(node: ast.AST) -> bool:
+    """Whether a node may bind any name: `from math import *`, `exec(…)`, `globals()[name] = …`."""
+    if isinstance(node, ast.ImportFrom):
+        return node.names[0].name == "*"
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _DYNAMIC
+
+
+def _bound(alias: ast.alias) -> str:
+    return alias.asname or alias.name.partition(".")[0]

@@ -1,0 +1,109 @@
+"""Tables that a file fills at its top level are filled, however that is written; what only shows them is left out."""
+
+from __future__ import annotations
+
+import pytest
+from submissions import defined, handed_in
+
+USED = "\ndef rebound_velocity(v, e):\n    return TABLE[1] * e * v\n"
+FILLED = {
+    "a loop": "TABLE = {}\nfor n in range(3):\n    TABLE[n] = -n",
+    "a loop over two sequences": "TABLE = {}\nfor n, s in zip((0, 1), (0, -1)):\n    TABLE[n] = s",
+    "a loop in a loop": "TABLE = [0, 0]\nfor n in range(2):\n    for m in range(2):\n        TABLE[n] -= n * m",
+    "a while loop": "TABLE, n = [], 0\nwhile len(TABLE) < 3:\n    TABLE.append(-n)\n    n += 1",
+    "a loop with else": "TABLE = [0]\nfor n in []:\n    pass\nelse:\n    TABLE.append(-1)",
+    "a branch": "TABLE = {}\nif 1 < 2:\n    TABLE[1] = -1\nelse:\n    TABLE[1] = 5",
+    "a try": "TABLE = {}\ntry:\n    TABLE[1] = {}[1]\nexcept KeyError:\n    TABLE[1] = -1",
+    "a finally": "TABLE = {}\ntry:\n    pass\nfinally:\n    TABLE[1] = -1",
+    "a with": "import contextlib\nTABLE = {}\nwith contextlib.suppress(KeyError):\n    TABLE[1] = -1",
+    "a match": "TABLE = {}\nmatch 3:\n    case 3:\n        TABLE[1] = -1",
+    "a swap": "TABLE = [-1, 0]\nTABLE[0], TABLE[1] = TABLE[1], TABLE[0]",
+    "a chain": "TABLE = [0, 0]\nx = TABLE[1] = -1",
+    "a star": "TABLE = [0, 0]\n*_, TABLE[1] = 3, 4, -1",
+    "a slice": "TABLE = [0, 0]\nTABLE[:] = [5, -1]",
+    "a loop whose target it is": "TABLE = [0, 0]\nfor TABLE[1] in (3, -1):\n    pass",
+    "a target in brackets": "TABLE = [0, 0]\n[x, (y, TABLE[1])] = 1, (2, -1)",
+    "a list for its effect": "TABLE = []\n[TABLE.append(-n) for n in range(2)]",
+    "a list for its effect with a name": "TABLE = []\n_ = [TABLE.append(-n) for n in range(2)]",
+    "a list with a kept name": "TABLE = []\nnothing = [TABLE.append(-n) for n in range(2)]",
+    "any": "TABLE = []\nany(TABLE.append(-n) for n in range(2))",
+    "a map": "TABLE = []\nlist(map(TABLE.append, (0, -1)))",
+    "a map of a lambda": "TABLE = [0, 0]\nlist(map(lambda n: TABLE.__setitem__(n, -n), range(2)))",
+    "deletion": "TABLE = {0: 1, 1: 5, 2: -1}\ndel TABLE[1]\nTABLE = dict(enumerate(TABLE.values()))",
+    "deletion in a loop": "TABLE = [0, 7, 7, -1]\nfor _ in range(2):\n    del TABLE[1]",
+    "pop": "TABLE = [0, 7, -1]\ngone = TABLE.pop(1)",
+    "an alias": "TABLE = [0, 0]\nalias = TABLE\nalias[1] = -1",
+    "an alias of an alias": "TABLE = {'rows': [0, 0]}\nrows = TABLE['rows']\nsame = rows\nsame[1] = -1\nTABLE = rows",
+    "a view": "import numpy as np\nTABLE = np.zeros(4)\nodd = TABLE.reshape(2, 2)[:, 1]\nodd[:] = -1",
+    "a view by a function": "import numpy as np\nTABLE = np.zeros(2)\nflat = np.ravel(TABLE)\nflat += -1",
+    "rows of a loop": "import numpy as np\nROWS = np.zeros((2, 2))\nfor row in ROWS:\n    row[1] = -1\nTABLE = ROWS[0]",
+    "rows of zip": "GRID = [[0, 0], [0, 0]]\nfor n, row in enumerate(GRID):\n    row[1] = -n\nTABLE = GRID[1]",
+    "a bound method": "TABLE = [0]\nnote = TABLE.append\nnote(-1)",
+    "a walrus": "TABLE = [0, 0]\nif (t := TABLE):\n    t[1] = -1",
+    "a helper": "TABLE = {}\ndef fill(table):\n    table[1] = -1\nfill(TABLE)",
+    "a helper by keyword": "TABLE = {}\ndef fill(n, *, into):\n    into[n] = -n\nfill(1, into=TABLE)",
+    "a helper of helpers": "TABLE = {}\ndef put(t, n):\n    t[n] = -n\ndef fill(table):\n    for n in range(2):\n"
+    "        put(table, n)\nfill(TABLE)",
+    "a helper with an alias": "TABLE = {'a': [0, 0]}\ndef fill(table):\n    rows = table['a']\n    rows[1] = -1\n"
+    "fill(TABLE)\nTABLE = TABLE['a']",
+    "a helper in a loop": "TABLE = [0, 0]\ndef put(n):\n    TABLE[n] = -n\nfor n in range(2):\n    put(n)",
+    "a helper by map": "TABLE = [0, 0]\ndef put(n):\n    TABLE[n] = -n\nlist(map(put, range(2)))",
+    "a helper for each": "TABLE, OTHER = [0, 0], [0, 0]\ndef fill(t):\n    t[1] = -1\nlist(map(fill, [TABLE, OTHER]))",
+    "a helper with a star": "TABLE = {}\ndef fill(*tables):\n    for t in tables:\n        t[1] = -1\nfill({}, TABLE)",
+    "a lambda": "TABLE = {}\nfill = lambda t: t.update({1: -1})\nfill(TABLE)",
+    "a method": "class Table:\n    def __init__(self):\n        self.rows = [0]\n    def add(self, n):\n"
+    "        self.rows.append(n)\ntable = Table()\nfor n in (-1, -2):\n    table.add(n)\nTABLE = table.rows",
+    "a method whose value is used": "class T(list):\n    def add(self, n):\n        self.append(n)\n        return n\n"
+    "TABLE = T([0])\nlast = TABLE.add(-1)",
+    "a class that notes": "TABLE = [0]\nclass Row:\n    def __init__(self, n):\n        TABLE.append(n)\n"
+    "for n in (-1,):\n    Row(n)",
+    "bisect": "import bisect\nTABLE = [-2, 0]\nbisect.insort(TABLE, -1)",
+    "bisect by name": "from bisect import insort\nTABLE = [-2, 0]\nfor n in (-1,):\n    insort(TABLE, n)",
+    "a heap": "import heapq\nTABLE = [0, -1]\nheapq.heapify(TABLE)\nTABLE = TABLE[::-1]",
+    "fill_diagonal": "import numpy as np\nTABLE = np.zeros((2, 2))\nnp.fill_diagonal(TABLE, -1)\nTABLE = TABLE[1]",
+    "put": "import numpy as np\nTABLE = np.zeros(2)\nnp.put(TABLE, [1], [-1])",
+    "copyto": "import numpy\nTABLE = numpy.zeros(2)\nnumpy.copyto(TABLE, -1)",
+    "add.at": "import numpy as np\nTABLE = np.zeros(2)\nnp.add.at(TABLE, [1], -1)",
+    "out": "import numpy as np\nTABLE = np.ones(2)\nnegative = np.negative(TABLE, out=TABLE)",
+    "a generator of numbers": "import numpy as np\nrng = np.random.default_rng(1)\nTABLE = np.array([-1, -1, -1])\n"
+    "rng.shuffle(TABLE)",
+    "fill": "import numpy as np\nTABLE = np.zeros(2)\nTABLE.fill(-1)",
+    "flat": "import numpy as np\nTABLE = np.zeros((2, 1))\nTABLE.flat = [0, -1]\nTABLE = TABLE[:, 0]",
+    "augmented by an alias": "import numpy as np\nTABLE = np.zeros(2)\nalias = TABLE\nalias -= 1",
+    "setdefault": "TABLE = {}\nfor n in range(2):\n    TABLE.setdefault(n, -n)",
+    "update": "TABLE = {}\nTABLE.update((n, -n) for n in range(2))",
+    "a union": "TABLE = {}\nTABLE |= {1: -1}",
+    "operator": "import operator\nTABLE = [0, 0]\noperator.setitem(TABLE, 1, -1)",
+    "the type's own method": "TABLE = {}\ndict.update(TABLE, {1: -1})",
+    "globals": "for name in ['TABLE']:\n    globals()[name] = [0, -1]",
+    "exec": "exec('TABLE = [0, -1]')",
+    "setattr": "class Rows: pass\nfor n in range(2):\n    setattr(Rows, 'row', [0, -n])\nTABLE = Rows.row",
+    "a name that a function binds": "def begin():\n    global TABLE\n    TABLE = [0, -1]\nif True:\n    begin()",
+}
+ONLY_SHOWN = [
+    "print(TABLE)", "plt.plot(TABLE)", "for row in TABLE:\n    print(row, np.mean(TABLE))", "ax.plot(x, TABLE)",
+    "lines = ax.plot(TABLE)\nlines[0].set_data(1, 2)", "draw(ax, TABLE)", "while True:\n    plt.pause(0.1)",
+    "for n in range(9):\n    ax.plot(np.asarray(TABLE) * n)\n    plt.pause(STEP)", "display(TABLE)",
+    "if len(TABLE) > 1:\n    plt.title(f'{TABLE[0]}')", "x = np.linspace(0, 1)\nx[0] = 3\nplt.plot(x)",
+    "y = [TABLE[1] * n for n in range(3)]\ny.append(2)", "time.sleep(STEP)", "other = TABLE.copy()\nother[0] = 7",
+    "x = TABLE\nx = [1, 2]\nx[0] = 7", "with plt.style.context('dark'):\n    plt.plot(TABLE)", "sorted(TABLE)",
+    "try:\n    widget.show(TABLE)\nexcept Exception:\n    print('no widget')", "assert np.allclose(TABLE, TABLE)",
+    "lab.expose(1, 2)", "anim = FuncAnimation(fig, draw, frames=TABLE)\nanim.save('x.mp4')",
+]  # fmt: skip
+"""Statements that change nothing of what a function needs."""
+
+
+@pytest.mark.parametrize("name", FILLED)
+def test_a_table_is_filled_however_that_is_written(name, tmp_path):
+    submission = handed_in(tmp_path, FILLED[name] + USED, "lab.py")
+    assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
+
+
+@pytest.mark.parametrize("shown", ONLY_SHOWN)
+def test_what_only_shows_a_table_is_left_out(shown, tmp_path):
+    before = (
+        "import time\nimport numpy as np\nimport matplotlib.pyplot as plt\nfrom labs import lab\nSTEP = 0.1\n"
+        "TABLE = [0, -1]\ndef draw(ax, table):\n    ax.plot(table)\nfig, ax = plt.subplots()\n"
+    )
+    text = handed_in(tmp_path, before + shown + USED, "lab.py").text
+    assert [line for line in text.splitlines() if line] == ["TABLE = [0, -1]", *USED.strip().splitlines()]
