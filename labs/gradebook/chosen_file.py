@@ -17,7 +17,7 @@ from labs.grading.submission.opening import is_notebook_or_python, starts_like_o
 
 _LAB, _HAS_LAB, _STUDENT, _ANY = 0, 2, 4, 6
 """Ranks of a notebook by its name; that of a Python file is one more, but for the last."""
-_START, _MOST_STARTS = 2**16, 50
+_START, _MOST_STARTS = 2**16, 10
 """So many bytes of so many files are looked at for a notebook with another name."""
 
 
@@ -90,7 +90,7 @@ def _candidates(files: Sequence[tuple[Entry, DeliveredFile]], lab: str) -> list[
     named = [(entry, file) for entry, file in files if is_notebook_or_python(file.name)]
     proper = [(entry, file) for entry, file in named if _is_proper(file)]
     odd = [(entry, file) for entry, file in named if not _is_proper(file)]
-    looked_at = odd or ([] if proper else files)
+    looked_at = odd or ([] if proper else sorted(files, key=lambda each: lab not in each[1].name.lower()))
     odd = [(entry, file) for entry, file in looked_at[:_MOST_STARTS] if _starts_like_one(file)]
     return [Candidate(entry, file, _rank(file, lab, entry.owner.key)) for entry, file in (*proper, *odd)]
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import errno
 import io
-import os
 import stat
 import struct
+import sys
 import zipfile
 import zlib
 from collections import deque
@@ -29,12 +29,12 @@ from labs.grading.submission.opening import is_notebook_or_python, opened
 
 MOST_FILES, DEEPEST = 5000, 6
 """So many files of one entry are looked at, in folders so deep. A release through the impulse lab has 841."""
-LIST_LIMIT = 8 * 2**20
-"""Bytes of the longest list of an archive's files: some sixty thousand."""
+LIST_LIMIT = 4 * 2**20
+"""Bytes of the longest list of an archive's files: some thirty thousand as people name them, which takes a second."""
 NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
 _ENCRYPTED = 1
 _DAMAGED = (zipfile.BadZipFile, zlib.error, struct.error, EOFError, NotImplementedError, RuntimeError, ValueError)
-"""What `zipfile` raises about an archive that is not as it should be. So is EINVAL: a place before the file's start."""
+"""What `zipfile` raises about an archive that is not as it should be."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class Delivered:
 
     def trouble(self, name: str, error: Exception) -> None:
         """Note that something cannot be opened, and why. name: empty for the entry itself."""
-        self.unreadable_here |= isinstance(error, OSError) and error.errno != errno.EINVAL
+        self.unreadable_here |= _is_of_this_machine(error)
         self.troubles.append(f"{name or 'it'} cannot be opened: {_why(error)}")
 
 
@@ -99,6 +99,11 @@ def is_hidden(name: str) -> bool:
     """Whether a file, or a folder that it is in, is no work of the student's own."""
     parts = [part for part in PurePosixPath(name).parts if part not in (".", "..")]
     return any(part.startswith(".") or part in NOT_THEIRS for part in parts)
+
+
+def _is_of_this_machine(error: Exception) -> bool:
+    """Whether the system refuses something. EINVAL is the archive's own fault: a place before the file's start."""
+    return isinstance(error, OSError) and error.errno != errno.EINVAL
 
 
 def _why(error: Exception) -> str:
@@ -192,7 +197,9 @@ def _read_packed(path: Path, info: zipfile.ZipInfo, most: int) -> bytes:
     try:
         with _archive(path) as archive, archive.open(info) as file:
             return file.read(most)
-    except _DAMAGED as error:
+    except (OSError, *_DAMAGED) as error:
+        if _is_of_this_machine(error):
+            raise
         raise UnreadableSubmission(f"it cannot be unpacked: {_why(error)}") from None
 
 
@@ -200,7 +207,7 @@ def _read_packed(path: Path, info: zipfile.ZipInfo, most: int) -> bytes:
 def _archive(path: Path) -> Iterator[zipfile.ZipFile]:
     """An archive whose list of files is short enough to be read."""
     with _WithShortList(io.FileIO(opened(path))) as file, zipfile.ZipFile(file) as archive:
-        file.at_once = os.fstat(file.fileno()).st_size
+        file.at_once = sys.maxsize
         yield archive
 
 
