@@ -13,7 +13,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from labs.cli.console import errors, output
 from labs.gradebook import protection, written
-from labs.gradebook.book import STUDENTS, WORKING, Book, Failures, run
+from labs.gradebook.book import STUDENTS, WORKING, Book
 from labs.gradebook.class_grading import (
     MARKS,
     Class,
@@ -26,6 +26,7 @@ from labs.gradebook.class_grading import (
     write_pages,
     write_tables,
 )
+from labs.gradebook.class_run import Failures, run
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.for_a_person import left_to_do
 from labs.gradebook.grading import Graded, Task, refuse_other_versions, versions

@@ -9,9 +9,11 @@ from typing import Any
 
 from labs.assessment.shares import CODE, QUESTIONS, SHARES
 from labs.gradebook.arrivals import Arrival, Missing, arrivals, content_of
-from labs.gradebook.book import Book, Failures
+from labs.gradebook.book import Book
+from labs.gradebook.class_run import Failures
 from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, Deadlines
 from labs.gradebook.grading import Task
+from labs.gradebook.layouts import Owner
 from labs.gradebook.marking import Given, Key
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster, clusters
@@ -20,12 +22,13 @@ from labs.gradebook.mistakes.entries import Entry
 from labs.gradebook.pages import class_page, clusters_page, student_page
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.runs_compared import compared, spreads
+from labs.gradebook.sheets import plain
 from labs.gradebook.tables import Mark, junit, plain_table
 from labs.gradebook.times import Received
 from labs.gradebook.upload import Target, filled
 from labs.gradebook.written import Codes, Question, given_to, is_code_alone
 from labs.grading.judging.grade import write_private
-from labs.grading.safe_text import one_line
+from labs.grading.safe_text import cause_of, one_line
 
 FEEDBACK, CLASS, MARKS = "feedback.html", "class.html", "grades.csv"
 
@@ -70,6 +73,7 @@ def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
     found = Class(lab, roster or of_everybody(dict.fromkeys(owners)))
     for arrival in sorted(there, key=lambda each: each.received.timestamp() if each.received else 0.0):
         student = _student(found, arrival)
+        arrival = replace(arrival, notes=(*arrival.notes, *_other_name(found.roster, arrival.owner, student)))
         before = found.handed.get(student.id)
         if before is not None:
             note = f"{before.entry} is of the same student and is not graded"
@@ -84,6 +88,20 @@ def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
         if student.id not in found.handed:
             found.unusable[student.id] = missing
     return found
+
+
+def _other_name(roster: Roster, owner: Owner, student: Student) -> Iterator[str]:
+    """That a platform names a submission otherwise than the student whose number it has, as it does for groups."""
+    if owner.platform == roster.kind and owner.name and student.name and _letters(owner.name) != _letters(student.name):
+        yield (
+            f"{owner.platform} calls it the submission of {owner.name!r}, but the roster has {student.name!r} for its"
+            " number: if it is a group's, the others have no mark yet"
+        )
+
+
+def _letters(name: str) -> list[str]:
+    """The letters of a name in no order: Canvas writes `lovelaceada` for `Lovelace, Ada`."""
+    return sorted(filter(str.isalnum, plain(name)))
 
 
 def _student(found: Class, entry: Arrival | Missing) -> Student:
@@ -223,8 +241,12 @@ def write_pages(
         if mark.content is not None:
             given = {key: points for (key, each), points in marker.given.items() if each == code}
             runs = book.runs_of(mark.student.id) or []
-            page = student_page(mark, marker.asked, given, compared(runs, found.lab), marker.deadlines)
-            write_private(place / FEEDBACK, page)
+            try:
+                page = student_page(mark, marker.asked, given, compared(runs, found.lab), marker.deadlines)
+            except Exception as error:  # the pages of the others do not depend on it
+                marker.failures.without_page[mark.student.id] = cause_of(error)
+            else:
+                write_private(place / FEEDBACK, page)
             measured[code] = book.seconds(mark.student.id)
             ran.append(runs)
         done()

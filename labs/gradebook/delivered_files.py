@@ -27,8 +27,9 @@ from labs.grading.errors import UnreadableSubmission
 from labs.grading.safe_text import cause_of, one_line
 from labs.grading.submission.opening import is_notebook_or_python, opened
 
-MOST_FILES, DEEPEST = 5000, 6
-"""So many files of one entry are looked at, in folders so deep. A release through the impulse lab has 841."""
+MOST_FILES, DEEPEST, MOST_ARCHIVES = 5000, 6, 20
+"""So many files of one entry are looked at, in folders so deep and so many archives. A release through the impulse lab
+has 841 files."""
 LIST_LIMIT = 4 * 2**20
 """Bytes of the longest list of an archive's files: some thirty thousand as people name them, which takes a second."""
 NOT_THEIRS = ("__MACOSX", ".ipynb_checkpoints", "__pycache__", ".git", ".venv")
@@ -59,12 +60,14 @@ class DeliveredFile:
 class Delivered:
     """What is in an entry: its files, and in a line each what cannot be opened.
 
-    unreadable_here: whether this machine does not let us read some of it, for which no student is to blame.
+    unreadable_here: whether this machine does not let us read some of it, for which no student is to blame. archives:
+    how many are in a folder.
     """
 
     files: list[DeliveredFile] = field(default_factory=list)
     troubles: list[str] = field(default_factory=list)
     unreadable_here: bool = False
+    archives: int = 0
 
     def trouble(self, name: str, error: Exception) -> None:
         """Note that something cannot be opened, and why. name: empty for the entry itself."""
@@ -166,6 +169,11 @@ def _below(path: Path, folder: Path) -> str:
 
 
 def _list_archive_in_folder(path: Path, name: str, found: Delivered) -> None:
+    found.archives += 1
+    if found.archives > MOST_ARCHIVES:
+        if found.archives == MOST_ARCHIVES + 1:
+            found.troubles.append(f"it holds more than {MOST_ARCHIVES} archives, of which the others were not opened")
+        return
     try:
         _list_archive(path, f"{name}/", found)
     except (OSError, *_DAMAGED) as error:

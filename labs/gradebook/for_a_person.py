@@ -11,8 +11,8 @@ from pathlib import Path
 from labs.assessment.shares import CODE, SHARES
 from labs.gradebook import written
 from labs.gradebook.arrivals import EARLIER, Arrival
-from labs.gradebook.book import Failures
 from labs.gradebook.class_grading import MARKS, Class
+from labs.gradebook.class_run import Failures
 from labs.gradebook.deadlines import CALLED_LATE, NO_TIME
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster
@@ -36,6 +36,9 @@ def left_to_do(
         )
     if failed := [student for student in failures.said if student not in failures.busy]:
         yield f"{_of(failed, 'could not be graded')}. {notes} say why; run the command again."
+    if failures.without_page:
+        first = next(iter(failures.without_page.values()))
+        yield f"{_of([*failures.without_page], 'without a page')}. Their marks count; the first page failed by {first}."
     if found.strangers:
         yield f"{_of([*found.strangers], 'not on the roster')}. Their marks are in {MARKS}, but in no file to upload."
     unread = [mark.student.id for mark in every if mark.content and "unreadable" in mark.content]
@@ -46,8 +49,8 @@ def left_to_do(
             f"{_of(found.strays, 'among the submissions that no student handed in')}. A file is a student's if its name"
             " is the student's number, or as the platform writes it."
         )
-    if several := [student for student, arrival in found.handed.items() if _is_odd(arrival)]:
-        yield f"{_of(several, 'with several files for this lab')}. {notes} say which was graded."
+    if odd := [student for student, arrival in found.handed.items() if _is_odd(arrival)]:
+        yield f"{_of(odd, 'with a doubt about what they handed in')}. {notes} say what was graded, and what was not."
     if alone := [mark.student.id for mark in every if is_code_alone(mark.content)]:
         yield (
             f"{_of(alone, 'who handed in a Python file')}. It has no written answers and reaches {SHARES[CODE]} of 100"

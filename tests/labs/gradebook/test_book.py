@@ -12,8 +12,9 @@ from dataclasses import replace
 
 import pytest
 
-from labs.gradebook import book as book_module
-from labs.gradebook.book import Book, Failures, run
+from labs.gradebook import class_run
+from labs.gradebook.book import Book
+from labs.gradebook.class_run import Failures, run
 from labs.gradebook.grading import Graded, Task, identity
 from labs.grading.errors import GraderFailed, MachineBusy
 from labs.grading.judging.grade import SCHEMA, VERSION, read_grade
@@ -140,7 +141,7 @@ def _by_name(task: Task) -> Graded:
 @pytest.fixture
 def pool(monkeypatch):
     """Worker processes that do as the student's number says."""
-    monkeypatch.setattr(book_module, "grade_one", _by_name)
+    monkeypatch.setattr(class_run, "grade_one", _by_name)
     return lambda: ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("fork"))
 
 
@@ -183,9 +184,22 @@ def test_a_full_disk_stops_the_run_and_blames_no_submission(book, pool):
     assert failures.said == {}
 
 
+def test_a_grade_that_cannot_be_written_stops_no_other(book, pool):
+    def keep(each):
+        if each.student == "2":
+            raise ValueError("Out of range float values are not JSON compliant")
+        book.keep(each)
+
+    failures = Failures()
+    run([replace(TASK, student=each) for each in "123"], Workers(1, pool), keep, failures)
+    assert failures.said.keys() == {"2"}
+    assert "Out of range float values" in failures.said["2"]
+    assert book.grade_of("3") is not None
+
+
 @pytest.mark.slow
 def test_a_submission_without_an_end_is_stopped_and_the_others_are_graded(book, pool, monkeypatch):
-    monkeypatch.setattr(book_module, "_PATIENCE", 1.0)
+    monkeypatch.setattr(class_run, "_PATIENCE", 1.0)
 
     def stop():
         for process in multiprocessing.active_children():
@@ -202,7 +216,7 @@ def test_a_submission_without_an_end_is_stopped_and_the_others_are_graded(book, 
 
 def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch):
     read, kept = [], []
-    monkeypatch.setattr(book_module, "grade_one", graded)
+    monkeypatch.setattr(class_run, "grade_one", graded)
 
     def every():
         for number in range(50):
@@ -215,7 +229,7 @@ def test_no_more_submissions_are_read_than_the_workers_can_soon_take(monkeypatch
 
 
 def test_an_interruption_ends_the_run_and_keeps_what_was_graded(monkeypatch, book):
-    monkeypatch.setattr(book_module, "grade_one", graded)
+    monkeypatch.setattr(class_run, "grade_one", graded)
 
     def stop_after_three(each):
         book.keep(each)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from labs.gradebook.arrivals import EARLIER, Arrival, Missing
-from labs.gradebook.book import Failures
 from labs.gradebook.class_grading import Class
+from labs.gradebook.class_run import Failures
 from labs.gradebook.deadlines import CALLED_LATE, Lateness
 from labs.gradebook.for_a_person import left_to_do
 from labs.gradebook.layouts import PLAIN, Owner
@@ -30,11 +30,11 @@ def test_three_hundred_odd_submissions_make_a_handful_of_lines():
     every = [Mark(each, "impulse", 45.0, 35.0, late, CODE) for each in everybody]
     lines = list(left_to_do(Path("grades"), found, every, Failures({"7": "busy", "8": "died"}, {"7"}), ()))
     assert [line.partition(": ")[0] for line in lines] == [
-        "1 not graded for lack of time", "1 could not be graded", "300 with several files for this lab",
+        "1 not graded for lack of time", "1 could not be graded", "300 with a doubt about what they handed in",
         "300 who handed in a Python file", "300 late, but the platform does not say by how much",
         "The written questions of 300 are to be marked",
     ]  # fmt: skip
-    assert lines[2].startswith("300 with several files for this lab: 0, 1, 2, 3, 4 and 295 others. The notes in")
+    assert lines[2].startswith("300 with a doubt about what they handed in: 0, 1, 2, 3, 4 and 295 others. The notes in")
     assert all(len(line) < 250 for line in lines)
 
 

@@ -27,8 +27,9 @@ SCRIPT = """
 import os, signal, sys, tempfile, time
 from dataclasses import replace
 from pathlib import Path
-from labs.gradebook import book as book_module
-from labs.gradebook.book import Book, Failures, run
+from labs.gradebook import class_run
+from labs.gradebook.book import Book
+from labs.gradebook.class_run import Failures, run
 from labs.gradebook.grading import Graded, Task, identity
 from labs.grading.judging.grade import SCHEMA, VERSION
 from labs.workers import here
@@ -46,7 +47,7 @@ def work(task):
     return Graded(task.student, content, {{}})
 
 if __name__ == "__main__":
-    book_module.grade_one = work
+    class_run.grade_one = work
     with here(2, place / "working") as workers:
         tasks = [replace(TASK, student=each) for each in ("quick", "long", "long")]
         try:
