@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
-from labs.building.excerpts import TopicExcerpts
+from labs.grading.submission.excerpts import TopicExcerpts
 from reference.lecture import STATEMENTS, TOPICS, Statement, functions_of
 
 ROOT = Path(__file__).resolve().parents[1]

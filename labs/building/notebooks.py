@@ -14,11 +14,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of, without_notes
 from labs.building.lessons import Cell, Lesson, lessons, read
 from labs.building.points import points_of
 from labs.building.revealed_answers import answers_of, compact
 from labs.building.seeded_questions import as_python
+from labs.grading.submission.excerpts import Excerpt, TopicExcerpts, imports_of, text_of, without_notes
 from labs.grading.submission.reading import DRAFT
 from labs.grading.submission.stubs import AGAIN, VERSION
 from reference import lecture

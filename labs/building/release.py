@@ -18,9 +18,9 @@ from pathlib import Path
 
 from labs.building import lessons, notebooks
 from labs.building.archives import files_below, pack
-from labs.building.excerpts import TopicExcerpts, imports_of, text_of, without_notes
 from labs.building.guidance_gaps import figures_named
 from labs.building.release_readme import readme
+from labs.grading.submission.excerpts import TopicExcerpts, imports_of, text_of, without_notes
 from labs.guidance.hint_files import hints
 from labs.project_folders import ROOT
 from reference import lecture

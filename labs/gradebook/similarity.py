@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TypeVar
 
 from labs.building import lessons
-from labs.building.excerpts import Excerpt, TopicExcerpts, text_of
 from labs.grading.errors import UnreadableSubmission
+from labs.grading.submission.excerpts import Excerpt, TopicExcerpts, text_of
 from labs.grading.submission.reading import read
 from labs.grading.submission.statements import Group, groups
 from labs.grading.submission.stubs import is_stub

@@ -113,8 +113,8 @@ def topic_of(name: str) -> str:
 
 def in_solutions(topic: str, own: Mapping[str, str]) -> str:
     """Return the solutions of a lab as one file, with some functions from the texts in which others wrote them."""
-    from labs.building.excerpts import text_of  # noqa: PLC0415
     from labs.gradebook.similarity import function_in  # noqa: PLC0415
+    from labs.grading.submission.excerpts import text_of  # noqa: PLC0415
     from reference import lecture  # noqa: PLC0415
 
     found = {name: function_in(text, name) for name, text in own.items()}
@@ -141,7 +141,7 @@ def in_solutions(topic: str, own: Mapping[str, str]) -> str:
 @cache
 def _excerpts(topic: str) -> tuple[Any, str]:
     """Return the solutions of a lab and the imports that they need, which take a while to read."""
-    from labs.building.excerpts import TopicExcerpts, imports_of  # noqa: PLC0415
+    from labs.grading.submission.excerpts import TopicExcerpts, imports_of  # noqa: PLC0415
 
     found = TopicExcerpts.of(topic)
     return found, imports_of(found.every)

@@ -7,11 +7,11 @@ import inspect
 import json
 from pathlib import Path
 
-from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.grading.calling.remote import Grader
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
 from labs.grading.judging.score_sheet import Sheet
+from labs.grading.submission.excerpts import TopicExcerpts, imports_of, text_of
 from labs.grading.submission.reading import Submission, read
 from reference import lecture
 

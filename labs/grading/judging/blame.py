@@ -168,6 +168,16 @@ def blame_of(sheet: Sheet, name: str) -> Blame:
     return Blame(_verdict(found), mend_first, replace(sure, verdict="wrong") if sure and sure.right else sure)
 
 
+def lent_words(sheet: Sheet, name: str) -> Iterator[str]:
+    """Whose fault it is where a function failed parts of its tests only because of others that it calls."""
+    if lent := sheet.lent(name):
+        which = "that one is" if len(lent) == 1 else "those are"
+        yield (
+            f"{name} calls your {listed(lent)}, and {which} not right yet. The tests ran again with the lab's own in"
+            f" {'its' if len(lent) == 1 else 'their'} place, and the parts that passed then count."
+        )
+
+
 def _only_waits(sheet: Sheet, name: str, found: Diagnosis | None) -> bool:
     """Whether all that a function lost, and all that its probes hold against it, is that a function is not written."""
     if sheet.causes(name) != {"missing"}:

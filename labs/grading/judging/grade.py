@@ -20,7 +20,7 @@ from labs.grading.calling.remote import Grader, Limits
 from labs.grading.diagnosis.findings import Unnamed
 from labs.grading.diagnosis.output_names import output_names
 from labs.grading.diagnosis.words import answered
-from labs.grading.judging.blame import blame_of
+from labs.grading.judging.blame import blame_of, lent_words
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
 from labs.grading.judging.score_sheet import Outcome, Sheet
 from reference import lecture
@@ -81,7 +81,7 @@ class Grade:
             "suspect": name in self.sheet.suspects,
             "mend_first": list(blame.mend_first),
             "mistakes": [known.id for known in blame.diagnosis.mistakes] if blame.diagnosis else [],
-            "message": "\n".join(blame.lines()),
+            "message": "\n".join([*lent_words(self.sheet, name), *blame.lines()]),
             **({"unnamed": _unnamed(found)} if found else {}),
         }
 

@@ -13,9 +13,9 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import inspect
 import sys
 from collections.abc import Callable, Generator, Iterator, Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -24,12 +24,13 @@ import pytest
 from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError, UnreadableSubmission
-from labs.grading.judging import same_answers
-from labs.grading.judging.case_by_case import GIST, CaseByCase
+from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
+from labs.grading.judging.lent_functions import LostTest, lend
 from labs.grading.judging.markers import MEANINGS, is_hidden, marker
-from labs.grading.judging.outcomes import NOTHING_COMPUTED, cause_of, explain, outcome_of, said, summary, through
+from labs.grading.judging.outcomes import NOTHING_COMPUTED, explain, outcome_of, summary
+from labs.grading.judging.parts import Parts, require_evidence
 from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
@@ -48,6 +49,7 @@ STOPPED = pytest.StashKey[CollisionsError]()
 The caller of pytest may provide a grader, and closes it afterwards. It may also provide a budget, which has run since
 before the file was first read, and say which functions have paid for being right for one case alone (`CaseByCase`).
 """
+_LOST = pytest.StashKey[list[LostTest]]()
 _PARTS = pytest.StashKey[list[Part]]()
 
 
@@ -61,6 +63,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Make the markers known; the grader gets ready while the tests are collected."""
     paid = config.stash.setdefault(PAID, {})
     config.stash[SHEET] = Sheet(case_by_case=CaseByCase(paid=dict(paid)))
+    config.stash[_LOST] = []
     if config.getoption("--submission") and GRADER not in config.stash:
         config.stash[GRADER] = Grader()
         config.add_cleanup(config.stash[GRADER].close)
@@ -107,6 +110,9 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     with Remote(found, config.stash[GRADER], budget) as remote:
         yield Functions(remote, sheet)
         explain(sheet, found, remote)
+        lost = config.stash[_LOST]
+        if any(map(is_hidden, _graded(request.session.items))):  # it is marked; a check says what to mend first
+            lend(sheet, lost, found, remote)
 
 
 @pytest.fixture
@@ -118,39 +124,29 @@ def examples(request: pytest.FixtureRequest) -> Examples:
 @pytest.fixture
 def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.AbstractContextManager[None]]:
     """Points for a part of the test: a block that may fail without ending it."""
-    parts, hidden, functions = _parts(request.node), is_hidden(request.node), request.getfixturevalue("submission")
-    case_by_case = request.config.stash[SHEET].case_by_case
+    parts = _parts_of(request.node, request.getfixturevalue("submission"))
+    request.node.stash[_PARTS] = parts.found
+    return parts
 
-    @contextlib.contextmanager
-    def worth(points: int, reason: str) -> Iterator[None]:
-        functions.begin_part()
-        try:
-            yield
-        except (AssertionError, StudentError, *NOTHING_COMPUTED) as error:
-            others = tuple(sorted(functions.asked - {marker(request.node, "function", "")}))
-            parts.append(Part(points, reason, said(error, hidden), others, cause_of(error), through(error)))
-        else:
-            _require_evidence(f"{request.node.name}, {reason!r}", functions)
-            failure = case_by_case.charge()
-            words = None if failure is None else GIST if hidden else said(failure, hidden)
-            parts.append(Part(points, reason, words, cause="several cases"))
 
-    return worth
+def _parts_of(item: pytest.Item, functions: Functions) -> Parts:
+    return Parts(functions, item.name, marker(item, "function", ""), is_hidden(item))
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     """Fail a test that lost a part, and end its process."""
-    functions = getattr(item, "funcargs", {}).get("submission")
+    given = getattr(item, "funcargs", {})
+    functions, parts = given.get("submission"), given.get("part")
     try:
         result = yield
-        if isinstance(functions, Functions):
-            _take_back(item, functions)
+        if parts is not None:
+            parts.take_back()
         lost = [each for each in _parts(item) if not each.passed]
         if lost:
             pytest.fail("\n".join(_told(lost)), pytrace=False)
         if isinstance(functions, Functions):
-            _require_evidence(item.name, functions)
+            require_evidence(item.name, functions)
         return result
     finally:
         if isinstance(functions, Functions):
@@ -175,6 +171,8 @@ def pytest_runtest_makereport(
             item.session.shouldstop = one_line(str(error), 1000)
             item.config.stash[STOPPED] = error
         elif report.when == "call" or (report.when == "setup" and report.failed):
+            if report.failed and marker(item, "function", ""):
+                item.config.stash[_LOST].append(LostTest(len(sheet.outcomes), _again(item)))
             sheet.outcomes.append(outcome_of(item, report.passed, error, tuple(_parts(item))))
     return report
 
@@ -184,18 +182,22 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     summary(terminalreporter, config.stash[SHEET])
 
 
-def _take_back(item: pytest.Item, functions: Functions) -> None:
-    """Take back the parts of a test in which its function has given the same answer to every question."""
-    name, parts = marker(item, "function", ""), _parts(item)
-    if words := functions.same_answers[name].found():
-        said = same_answers.GIST if is_hidden(item) else f"{name} {words}"
-        parts[:] = [replace(each, said=said, cause="") if each.passed else each for each in parts]
+def _again(item: pytest.Item) -> Callable[[Functions], list[Part]]:
+    """Runs a test once more with other functions, for its parts alone: no word of it is shown."""
 
+    def run(functions: Functions) -> list[Part]:
+        parts, test = _parts_of(item, functions), getattr(item, "obj")  # noqa: B009 - only a function's item has one
+        given = {"submission": functions, "part": parts, "examples": Examples(_seed(item), shown=False)}
+        try:
+            test(**{name: given[name] for name in inspect.signature(test).parameters})
+            parts.take_back()
+            return parts.found
+        except (AssertionError, StudentError, *NOTHING_COMPUTED):  # outside of all parts
+            return []
+        finally:
+            functions.end_test()
 
-def _require_evidence(what: str, functions: Functions) -> None:
-    """Stop the grading where a test, or a part of one, passes although no function of the submission has answered."""
-    if not functions.answered:
-        raise GraderFailed(f"{what}: it passes, but has called no function of the submission")
+    return run
 
 
 def _seed(item: pytest.Item) -> int:

@@ -23,7 +23,8 @@ class Part:
     """A part of a test that has points of its own.
 
     said: why it failed; None if it passed. others: functions besides the tested one that a scenario of a failed part
-    called. cause: of the failure. through: the submission's functions that an exception passed through.
+    called. cause: of the failure. through: the submission's functions that an exception passed through. lent: wrong
+    functions that it calls, if it passed only with the lab's own in their place.
     """
 
     points: int
@@ -32,6 +33,7 @@ class Part:
     others: tuple[str, ...] = ()
     cause: Cause = ""
     through: tuple[str, ...] = ()
+    lent: tuple[str, ...] = ()
 
     @property
     def passed(self) -> bool:
@@ -131,6 +133,11 @@ class Sheet:
     def about(self, function: str) -> list[Outcome]:
         """The outcomes of a function's tests, asked for or beneath."""
         return [outcome for outcome in (*self.outcomes, *self.beneath) if outcome.function == function]
+
+    def lent(self, function: str) -> list[str]:
+        """The wrong functions that a function calls and whose mistakes have cost it nothing."""
+        parts = (part for outcome in self.about(function) for part in outcome.parts)
+        return list(dict.fromkeys(name for part in parts for name in part.lent))
 
     def causes(self, function: str) -> set[Cause]:
         """The causes of all that a function lost."""

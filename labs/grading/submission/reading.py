@@ -64,6 +64,15 @@ class Submission:
         """The functions of the submission that one of them calls, directly or through other code that it needs."""
         return used_by(self._groups, name, self.functions)
 
+    def reached(self, name: str) -> set[str]:
+        """The functions of the submission that one of them calls, directly or through others, without itself."""
+        waiting, seen = [name], {name}
+        while waiting:
+            found = set(self.uses(waiting.pop())) - seen
+            seen |= found
+            waiting += found
+        return seen - {name}
+
     def code_of(self, name: str) -> str:
         """What a function is made of besides other functions of the lab: the same whatever its layout and place.
 

@@ -14,10 +14,10 @@ from made_lessons import EACH_LAB, HEAD, WRITES, sources
 from program import collisions
 
 from labs.building import course_page, instructor_page, lessons, notebooks
-from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.building.points import points_of
 from labs.cli import lab
 from labs.grading.diagnosis.misconceptions import read_bank
+from labs.grading.submission.excerpts import TopicExcerpts, imports_of, text_of
 from labs.grading.submission.reading import read
 from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, LESSONS, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture

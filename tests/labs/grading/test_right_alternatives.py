@@ -17,9 +17,9 @@ from pathlib import Path
 import pytest
 from tests_in_process import TOPICS
 
-from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.grading.diagnosis.fingerprints.building import WITH_GIVEN_FUNCTIONS
 from labs.grading.judging.grade import grade
+from labs.grading.submission.excerpts import TopicExcerpts, imports_of, text_of
 from labs.grading.submission.reading import read
 from labs.project_folders import AUTOGRADER
 from reference import lecture
