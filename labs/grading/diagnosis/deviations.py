@@ -201,10 +201,11 @@ def deviation_of(answer: Answer, right: Right) -> Deviation:
     found = outputs(answer.value, len(right.outputs))
     if found is None:
         return Deviation(failure="kind")
-    # A list without rows says nothing about how long they would be
+    given = [answer.value] if len(found) == 1 else answer.value
+    # A list without rows says nothing about how long they would be; an array does, and its user may ask for a column
     found = tuple(
-        theirs if mine.shape == (0,) and not theirs.size else mine
-        for mine, theirs in zip(found, right.outputs, strict=True)
+        theirs if isinstance(own, list | tuple) and mine.shape == (0,) and not theirs.size else mine
+        for own, mine, theirs in zip(given, found, right.outputs, strict=True)
     )
     if rows_too_many(found, right):
         return _other_rows(found, right)
