@@ -62,7 +62,8 @@ def _to_lend(sheet: Sheet, outcome: Outcome, submission: Submission) -> tuple[st
     """The wrong or suspect functions before this one that it calls, or that a scenario of a lost part called."""
     before = [entry.name for entry in lecture.functions_of(lecture.function(outcome.function).topic)]
     before = before[: before.index(outcome.function)]
-    called = submission.reached(outcome.function) | {name for part in outcome.parts for name in part.others}
+    asked = {outcome.function, *(name for part in outcome.parts for name in part.others)}
+    called = asked.union(*map(submission.reached, asked))
     wrong = {*sheet.lost, *sheet.suspects}
     return tuple(name for name in before if name in called and name in wrong)
 

@@ -178,9 +178,7 @@ def test_a_list_without_rows_is_right_where_there_are_none_of_any_length():
     assert deviation_of(Answer([]), Right((np.zeros((1, 3)),), (1.0,))).failure == "shape"
 
 
-@pytest.mark.parametrize(
-    "right", [np.zeros((0, 2)), np.zeros((0, 3)), np.zeros((0, 3, 3))], ids=lambda each: each.shape
-)
+@pytest.mark.parametrize("columns", [(2,), (3,), (3, 3)])
 def test_an_array_without_rows_has_the_columns_that_are_promised(columns):
     right = np.zeros((0, *columns))
     assert deviation_of(Answer(np.zeros(0)), Right((right,), (1.0,))).failure == "shape"
