@@ -122,7 +122,7 @@ def read_deadlines(path: Path) -> Deadlines:
         content = tomllib.loads(read_text(path))
     except OSError as error:
         raise InvalidInput(f"cannot read the rules {str(path)!r}: {error.strerror}") from None
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InvalidInput(f"{str(path)!r} is no TOML file: {error}") from None
     _only(content, {"due", "late", "regrade"}, "the rules")
     due, late, ask = dict(_table(content, "due")), _table(content, "late"), _table(content, "regrade")
@@ -145,6 +145,7 @@ def read_deadlines(path: Path) -> Deadlines:
     )
 
 
+_MOST = 10**6
 _REGRADE = ("contact", "days")
 _LATE = ("grace_minutes", "free_days", "percent_per_day", "most_days")
 
@@ -172,6 +173,6 @@ def _moments(table: Mapping[str, Any]) -> dict[str, datetime]:
 
 def _number(table: Mapping[str, Any], name: str) -> float:
     value = table.get(name, 0)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value) or value < 0:
-        raise InvalidInput(f"{name} is {value!r} in the rules; it is a number, 0 or more")
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= _MOST:
+        raise InvalidInput(f"{name} is {value!r} in the rules; it is a number from 0 to {_MOST}")
     return float(value)

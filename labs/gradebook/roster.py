@@ -104,10 +104,11 @@ def read_roster(path: Path) -> Roster:
 def _refuse_lost_numbers(sheet: Sheet, kind: str, people: Iterable[Student]) -> None:
     """Refuse a line that names nobody, and a number that a spreadsheet has shortened: the student would be lost."""
     for line, student in zip(sheet.numbers, people, strict=True):
-        if _SHORTENED.fullmatch(student.id):
+        numbers = [student.id, *(key for keys in student.keys.values() for key in keys)]
+        if short := next(filter(_SHORTENED.fullmatch, numbers), ""):
             raise InvalidInput(
-                f"line {line} of {sheet.name} has the number {student.id!r}, which a spreadsheet has shortened. Format"
-                " its column as text there, or save the roster from the platform without opening it."
+                f"line {line} of {sheet.name} has the number {short!r}, which a spreadsheet has shortened. Format its"
+                " column as text there, or save the roster from the platform without opening it."
             )
         if kind == PLAIN and not student.id:
             raise InvalidInput(f"line {line} of {sheet.name} has no number of a student ({student.name or 'no name'})")

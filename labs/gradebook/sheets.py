@@ -19,6 +19,9 @@ from labs.grading.submission.cells import utf_16
 from reference.errors import InvalidInput
 
 MOST_BYTES = 10 * 2**20
+MOST_CELLS = 10**6
+"""Of a table, those included that its lines leave out; the gradebook of 1,000 students and 500 assignments has half."""
+csv.field_size_limit(MOST_BYTES)  # Python's own limit is below what a student may write into Moodle, which is one cell
 BYTE_ORDER_MARK = "\ufeff"
 _DELIMITERS = (",", ";", "\t")
 _HINT = re.compile(r"sep=(.)[\r\n]+", re.IGNORECASE)
@@ -95,13 +98,17 @@ def read_sheet(path: Path, known: Collection[str]) -> Sheet:
     delimiter = hint[1] if hint else _delimiter(text, {plain(each) for each in known})
     lines = list(_lines(text[hint.end() :] if hint else text, delimiter, path, 2 if hint else 1))
     _, header = lines[0] if lines else (0, [])
+    if len(lines) * len(header) > MOST_CELLS:
+        raise InvalidInput(
+            f"{str(path)!r} has {len(lines)} lines of {len(header)} cells: it is not the table that is meant"
+        )
     while header and not header[-1].strip():
         header = header[:-1]
     for number, line in lines[1:]:
         if any(each.strip() for each in line[len(header) :]):
             raise InvalidInput(
-                f"line {number} of {str(path)!r} has {len(line)} cells, and the header has {len(header)}. A cell that"
-                f" contains {delimiter!r} must be in quotes."
+                f"line {number} of {str(path)!r} has {len(line)} cells, and the header, which begins with"
+                f" {header[0]!r}, has {len(header)}. A cell that contains {delimiter!r} must be in quotes."
             )
     full = (tuple([*line, *[""] * len(header)][: len(header)]) for _, line in lines[1:])
     numbers = tuple(number for number, _ in lines[1:])

@@ -89,7 +89,7 @@ def entries_of(text: str, name: str) -> list[Entry]:
     """The entries of the text of a file that is called so; raises what `read_entries` raises."""
     try:
         content = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InvalidInput(f"{name} is no TOML file: {error}") from None
     return [_Table(text, name, id).entry(table) for id, table in content.items()]
 

@@ -47,14 +47,21 @@ def test_the_delimiter_is_the_one_that_shows_the_headings(tmp_path):
         (b"PK\x03\x04rest", "is a workbook or an archive and no text: save the table as CSV"),
         (b"\xd0\xcf\x11\xe0rest", "an old workbook of Excel"),
         (b"a,b\n\x00\x01\x02,\x81\n", "is neither UTF-8 nor UTF-16 nor Windows-1252 text"),
-        (b"code,points,comment\nA,2,5,good\n", "line 2 of .* has 4 cells, and the header has 3"),
+        (b"code,points,comment\nA,2,5,good\n", "line 2 of .* has 4 cells, and the header, .* has 3"),
         (b'code\n"A\n', "is no CSV file"),
         (b"x" * (10 * 2**20 + 1), "has more than 10 MB"),
+        (b"code" + b"," * 9999 + b"x" + b"\n1" * 100, "has 101 lines of 10000 cells"),
+        (b"Course 101\ncode,points\n", "line 2 of .* the header, which begins with 'Course 101', has 1"),
     ],
 )
 def test_a_file_that_is_no_such_table_is_refused_with_what_it_is(tmp_path, content, said):
     with pytest.raises(InvalidInput, match=said):
         read_sheet(saved(tmp_path, content), ("code",))
+
+
+def test_a_long_text_of_a_student_in_one_cell_stops_nobody(tmp_path):
+    found = read_sheet(saved(tmp_path, f'code,text\nA,"{"x, " * 300_000}"\nB,\n'.encode()), ("code",))
+    assert [row["code"] for row in found.rows()] == ["A", "B"]
 
 
 def test_the_rules_of_a_course_may_have_been_saved_by_any_editor(tmp_path):
