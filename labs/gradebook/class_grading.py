@@ -11,7 +11,7 @@ from labs.assessment.shares import CODE, QUESTIONS, SHARES
 from labs.gradebook.arrivals import Arrival, Missing, arrivals, content_of
 from labs.gradebook.book import Book
 from labs.gradebook.class_run import Failures
-from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, Deadlines
+from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, OTHER_DEADLINE, Deadlines
 from labs.gradebook.grading import Task
 from labs.gradebook.layouts import Owner
 from labs.gradebook.marking import Given, Key
@@ -195,6 +195,8 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     notes += arrival.notes
     if received.stamp and late.said in (NO_TIME, CALLED_LATE):
         notes.append(f"the platform says {one_line(received.stamp, 60)!r}, which is not a time in one known zone")
+    if marker.deadlines.is_judged_otherwise(student.id, found.lab, received):
+        notes.append(OTHER_DEADLINE)
     if student.id in marker.failures.said:
         return Mark(student, found.lab, None, late=late, notes=(*notes, marker.failures.said[student.id]))
     content = marker.book.grade_of(student.id)

@@ -35,9 +35,12 @@ from reference import checks, lecture
 from reference.errors import InvalidInput, UnknownName, listed
 
 DAY = timedelta(days=1)
+_SHOWN = timedelta(hours=1)
+"""A platform shows a duration of days to the hour."""
 NOTHING_OFF = "nothing is taken off"
 CALLED_LATE = f"late, says the platform, but not by how much: {NOTHING_OFF}"
 NO_TIME = f"at a time that nobody knows: {NOTHING_OFF}"
+OTHER_DEADLINE = "Moodle's worksheet judges its lateness by another deadline or clock than the rules"
 ANYONE = "your instructor"
 _STUDENTS = "students"
 
@@ -92,6 +95,16 @@ class Deadlines:
         free = f", {min(begun, self.free_days)} of them free" if self.free_days else ""
         off = f": {NOTHING_OFF}" if share == 1 and not free else ""
         return Lateness(days, share, f"{begun} {'day' if begun == 1 else 'days'} late{free}{off}")
+
+    def is_judged_otherwise(self, student: str, lab: str, received: Received) -> bool:
+        """Whether the platform counts lateness from another deadline, as after it has given a student more time."""
+        own, everybodys = self.of(student, lab), self.due.get(lab)
+        if own is None or received.at is None or not received.says_lateness:
+            return False
+        if (late_by := received.late_by) is None:
+            return (received.after(own) or timedelta(0)) > self.grace
+        overs = [received.after(due) for due in (own, everybodys) if due is not None]
+        return all(over is None or abs(over - late_by) > _SHOWN for over in overs)
 
     def without_student(self, students: Collection[Student]) -> str:
         """Who has a deadline of their own and is none of these students, with similar ones; empty if nobody is."""

@@ -13,7 +13,7 @@ from labs.gradebook import written
 from labs.gradebook.arrivals import EARLIER, Arrival
 from labs.gradebook.class_grading import MARKS, Class
 from labs.gradebook.class_run import Failures
-from labs.gradebook.deadlines import CALLED_LATE, NO_TIME
+from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, OTHER_DEADLINE
 from labs.gradebook.mistakes import naming
 from labs.gradebook.mistakes.clusters import Cluster
 from labs.gradebook.tables import Mark
@@ -62,6 +62,11 @@ def left_to_do(
         yield (
             f"{_of(unknown, 'of whom nobody knows when they handed in')}. Nothing is taken off, although the rules set"
             " a deadline."
+        )
+    if other := [mark.student.id for mark in every if OTHER_DEADLINE in mark.notes]:
+        yield (
+            f"{_of(other, 'whose lateness Moodle counts from another deadline')}. The rules decide: if somebody has"
+            " more time in Moodle, write it into [due.students] too."
         )
     if left := sum(mark.open > 0 for mark in every):
         place = folder / written.FOLDER

@@ -47,7 +47,8 @@ class Words:
         late = [part for part in parts if any(plain(word) in part for word in self.late)]
         found = (duration_in_words(part, self.units) for part in late)
         late_by = next((each for each in found if each is not None), None)
-        return Received(stamp, moment_in_words(stamp, self.months), late_by, late_by is not None)
+        at, says = moment_in_words(stamp, self.months), bool(status.strip())
+        return Received(stamp, at, late_by, called_late=late_by is not None, says_lateness=says)
 
 
 @cache

@@ -28,13 +28,15 @@ class Received:
     """When a submission came, as far as its platform says.
 
     stamp: the time as the platform wrote it. at: the same, read; without a zone it is on the clock of the deadline.
-    late_by: how long after the platform's own deadline. called_late: whether the platform calls it late.
+    late_by: how long after the platform's own deadline. called_late: whether the platform calls it late. says_lateness:
+    whether it would do so.
     """
 
     stamp: str = ""
     at: datetime | None = None
     late_by: timedelta | None = None
     called_late: bool = False
+    says_lateness: bool = False
 
     def after(self, due: datetime, everybodys: datetime | None = None) -> timedelta | None:
         """How long after a deadline it came; negative if before it, None if nobody knows.

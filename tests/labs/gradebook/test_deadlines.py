@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime, timedelta
 
 import pytest
@@ -139,6 +140,23 @@ def test_a_time_that_nobody_can_read_is_never_silent_where_there_is_a_deadline(r
 )
 def test_lateness_is_read_from_zones_clocks_and_durations(rules, received, said):
     assert rules().lateness("4712", "impulse", received).said == said
+
+
+@pytest.mark.parametrize(
+    ("student", "received", "differs"),
+    [
+        ("4712", Received(at=datetime(2026, 12, 2, 1, 59), late_by=timedelta(hours=26)), False),
+        ("4712", Received(at=datetime(2026, 12, 2, 1, 59), late_by=timedelta(hours=20)), True),
+        ("4712", Received(at=datetime(2026, 12, 1, 0, 10)), True),
+        ("4712", Received(at=datetime(2026, 11, 30, 23, 59)), False),
+        ("4711", Received(at=datetime(2026, 12, 2, 1, 59), late_by=timedelta(hours=26)), False),
+        ("4711", Received(at=datetime(2026, 12, 8, 1, 59), late_by=timedelta(hours=2)), False),
+        ("4711", Received(late_by=timedelta(hours=2)), False),
+    ],
+)
+def test_a_platform_that_counts_from_another_deadline_is_noticed(rules, student, received, differs):
+    found = rules(RULES.replace("grace_minutes = 10", "grace_minutes = 5"))
+    assert found.is_judged_otherwise(student, "impulse", replace(received, says_lateness=True)) == differs
 
 
 def test_a_duration_counts_from_the_deadline_that_everybody_has(rules):

@@ -24,6 +24,13 @@ Participant 3,Cyd,Submitted for grading - 3 days late,,30.11.2026
 Participant 4,Dora,Submitted for grading,,30.11.2026
 Participant 5,Eve,No submission,,-
 """
+OTHERWISE = """\
+Identifier,Full name,Status,Grade,Last modified (submission)
+Participant 1,Ada,Submitted for grading - 1 day 2 hours late,,"Wednesday, 2 December 2026, 9:59 AM"
+Participant 2,Bob,Submitted for grading,,"Wednesday, 2 December 2026, 1:58 AM"
+Participant 3,Cyd,Submitted for grading - 5 mins late,,"Tuesday, 1 December 2026, 12:04 AM"
+Participant 4,Dora,,,"Wednesday, 2 December 2026, 1:58 AM"
+"""
 
 
 @pytest.fixture
@@ -60,6 +67,13 @@ def test_moodles_worksheet_says_when_each_submission_came(late):
     assert line == (
         "2 of whom nobody knows when they handed in: 4, 5. Nothing is taken off, although the rules set a deadline."
     )
+
+
+def test_where_moodle_counts_from_another_deadline_a_person_is_told(late):
+    entries = [f"{name}_assignsubmission_file_/impulse.ipynb" for name in ("Ada_1", "Bob_2", "Cyd_3", "Dora_4")]
+    said, (line,) = late(*entries, roster=OTHERWISE)
+    assert [text for text, _ in said.values()] == ["2 days late", "2 days late", "1 day late", "2 days late"]
+    assert line.startswith("2 whose lateness Moodle counts from another deadline: 1, 2. The rules decide")
 
 
 def test_nbgraders_zones_are_read_or_said(late):
