@@ -11,7 +11,10 @@ import pytest
 from program import collisions
 from submissions import notebook
 
+from labs.gradebook import protection
 from labs.gradebook.deadlines import CALLED_LATE
+from labs.grading.worker.sandbox import Sealing
+from labs.grading.worker.tier import Tier
 from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from labs.workers import Workers
 
@@ -156,6 +159,7 @@ def test_a_submission_that_a_busy_machine_stopped_loses_nothing_and_is_graded_in
     monkeypatch.setattr("labs.cli.grade.here", one_thread)
     with monkeypatch.context() as busy:
         busy.setattr("labs.grading.budget.ON_THE_CLOCK", 1e-9)
+        busy.setattr(protection, "offered", lambda: Sealing(Tier.NETWORK))  # to find that out takes time as well
         stopped = collisions(*arguments)
     assert stopped.code == 1
     assert "1. 1 not graded for lack of time: ada." in stopped.output
