@@ -23,6 +23,8 @@ TRIES = 20
 """So many different inputs for one suspect are tried, the last ones of a notebook."""
 IN_NUMBERS = "write the input in numbers, in lists or tuples where it has several: no names, no 1/240"
 """What an input has to be that a mark can count."""
+NOT_WRITTEN = f"a mark counts what the text of the cell says, and this input is not found there: {IN_NUMBERS}"
+"""What a student reads whose cell computes the input, or calls in a way that no reader of the text can follow."""
 _NODES = 10 * MOST
 """The most parts in the syntax of a call: a negative number in a list of its own has five."""
 

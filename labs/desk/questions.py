@@ -53,7 +53,7 @@ class Questions:
             return
         cells = student_code.executed_cells()
         if cells and list(arguments) not in written_inputs.inputs_in(cells).get(key, []):
-            raise InvalidInput(written_inputs.IN_NUMBERS)
+            raise InvalidInput(written_inputs.NOT_WRITTEN)
         found = exposures.tried(suspect, arguments, yours)
         exposed = "✓ Exposed" if found.exposed else "✗ Not exposed"
         _say(f"{exposed}, if your {suspect.function} is right. {found.said}.")

@@ -35,8 +35,9 @@ from labs.grading.worker.sandbox import Plan
 MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
 """The measures of the sandbox that can be left out, to see what the others are worth."""
 
-_START = "import os, sys; sys.path[:0] = [os.getcwd(){1}]; from labs.grading.worker import {0}; {0}.main()"
-"""The worker's code is in the current folder (`worker_files`); for the nursery the socket says where NumPy is."""
+_START = "import os, sys; sys.path[:0] = [os.path.abspath({1!r}){2}]; from labs.grading.worker import {0}; {0}.main()"
+"""{0}: what runs. {1}: the folder of its code, seen from the current one (`worker_files`). {2}: NumPy's, if another."""
+_SOCKET_SAYS = ", os.read(int(sys.argv[1]), 2**16).decode()"
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _PATIENCE = 30.0  # s for the nursery, which nothing untrusted can keep waiting
 _PIPE = 2**18  # bytes that a process's pipe holds: its text and code, so that we need not wait until it reads them
@@ -55,7 +56,7 @@ class NurseryHost:
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         _hide(self)
         try:
-            worker_files.lay_out(Path(self._folder))
+            worker_files.lay_out(Path(self._folder, worker_files.CODE))
             self._open()
         except BaseException:
             self._clear()
@@ -66,7 +67,7 @@ class NurseryHost:
         self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
-        start = _START.format("nursery", ", os.read(int(sys.argv[1]), 2**16).decode()")
+        start = _START.format("nursery", worker_files.CODE, _SOCKET_SAYS)
         command = [worker_files.interpreter(), *worker_files.OPTIONS, start, str(theirs.fileno())]
         self._control.send(worker_files.PACKAGES.encode())
         self._control.send(json.dumps([self._without, self._user]).encode())
@@ -180,25 +181,26 @@ class NurseryHost:
 
 
 class LoneHost:
-    """Starts a fresh interpreter for each test, on systems without a sandbox."""
+    """Starts a fresh interpreter for each test, on systems without a sandbox, each in an empty folder of its own."""
 
     def __init__(self) -> None:
-        self._folder = tempfile.mkdtemp(prefix="grading-", dir=worker_files.usual_place())
-        self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
-        copied = worker_files.lay_out_with_numpy(Path(self._folder))
-        self._start = _START.format("lone_process", "" if copied else f", {worker_files.PACKAGES!r}")
+        self._folder = worker_files.own_folder()
+        self._clear = weakref.finalize(self, worker_files.remove, self._folder)
+        copied = worker_files.lay_out_with_numpy(self._folder / worker_files.CODE)
+        code, numpy = os.path.join("..", worker_files.CODE), "" if copied else f", {worker_files.PACKAGES!r}"
+        self._command = [worker_files.interpreter(), *worker_files.OPTIONS, _START.format("lone_process", code, numpy)]
+        self._running: dict[int, tuple[subprocess.Popen[bytes], str]] = {}
         _hide(self)
-        self._running: dict[int, subprocess.Popen[bytes]] = {}
 
     def start(self, limits: Limits) -> Process:
         """Start an interpreter."""
-        command = [worker_files.interpreter(), *worker_files.OPTIONS, self._start]
+        place = tempfile.mkdtemp(dir=self._folder)
         kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
         running = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self._folder,
+            self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place,
             env=kept | dict.fromkeys(_THREADS, "1"), start_new_session=True, bufsize=0,
         )  # fmt: skip
-        self._running[running.pid] = running
+        self._running[running.pid] = running, place
         assert running.stdin is not None
         assert running.stdout is not None
         pipes = [os.dup(stream.fileno()) for stream in (running.stdin, running.stdout)]
@@ -209,7 +211,7 @@ class LoneHost:
     def end(self, process: Process) -> None:
         """Kill it, and on POSIX its session."""
         if process.outcome is None:
-            process.outcome = Ended(self._kill(self._running.pop(process.number)))
+            process.outcome = Ended(self._kill(*self._running.pop(process.number)))
 
     def wait(self, process: Process | None = None) -> None:
         """Nothing to wait for: what is killed is waited for at once."""
@@ -218,17 +220,19 @@ class LoneHost:
         """Never: each has a life of its own."""
         return False
 
-    def _kill(self, running: subprocess.Popen[bytes]) -> int:
+    def _kill(self, running: subprocess.Popen[bytes], place: str) -> int:
         with contextlib.suppress(OSError):
             if os.name == "posix":
                 os.killpg(running.pid, signal.SIGKILL)
             running.kill()
-        return running.wait()
+        code = running.wait()
+        shutil.rmtree(place, ignore_errors=True)
+        return code
 
     def close(self) -> None:
         """End what runs."""
         for running in self._running.values():
-            self._kill(running)
+            self._kill(*running)
         self._clear()
         _show(self)
 

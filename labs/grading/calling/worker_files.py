@@ -1,17 +1,19 @@
-"""The folder in which a worker's interpreter begins, with a copy of the code that it runs: it learns no place of ours.
+"""The folder of a worker's interpreter, with a copy of the code that it runs, so that it learns no place of ours.
 
 Threat: where files are not sealed, a submission that knows where the lab lies imports the solutions and reads hidden
-tests. So the worker begins in a folder of its own that holds copies, and neither its arguments nor its environment,
+tests. So the worker begins in a folder beside copies, and neither its arguments nor its environment,
 modules, frames or tracebacks name another place. A submission can still search the disk: this hides, and seals nothing.
 """
 
 from __future__ import annotations
 
 import compileall
+import contextlib
 import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +25,9 @@ OPTIONS = ("-I", "-S", "-B", "-X", "utf8", "-c")
 """Of a worker's interpreter: nothing of the user's settings, and no packages but those that it is told of."""
 PACKAGES = str(Path(np.__file__).parents[1])
 """Where NumPy lies."""
+CODE = "code"
+"""The name of the folder with the copies. No submission runs in it: what it writes there would be the next one's."""
+_PREFIX = "grading-apart-"
 _PACKAGE = Path(*labs.grading.worker.__name__.split("."))
 _NUMPY = Path(np.__file__).parent
 _BESIDE_NUMPY = (f"{_NUMPY.name}.libs", f"{_NUMPY.name}.dylibs")
@@ -63,6 +68,8 @@ def lay_out_with_numpy(folder: Path) -> bool:
     works = subprocess.run(command, cwd=folder, capture_output=True).returncode == 0
     for each in () if works else (_NUMPY, *beside):
         shutil.rmtree(folder / each.name)
+    for path in (folder, *folder.rglob("*")):
+        path.chmod(path.stat().st_mode & ~0o222)  # so that no submission changes by accident what the next one gets
     return works
 
 
@@ -71,7 +78,37 @@ def interpreter() -> str:
     return str(getattr(sys, "_base_executable", "") or sys.executable)
 
 
-def usual_place() -> str | None:
-    """Where a system keeps temporary files, even if this process keeps its own with the grades; None if unknown."""
+def own_folder() -> Path:
+    """A folder that does not lie with the grades, where this process may keep its own temporary files.
+
+    What others left there that were killed is removed: a copy of NumPy is large.
+    """
     places = [os.environ.get(name, "") for name in ("TMPDIR", "TEMP", "TMP")]
-    return next((each for each in (*places, "/tmp") if os.path.isdir(each) and os.access(each, os.W_OK)), None)
+    place = next((each for each in (*places, "/tmp") if os.path.isdir(each) and os.access(each, os.W_OK)), None)
+    made = Path(tempfile.mkdtemp(prefix=f"{_PREFIX}{os.getpid()}-", dir=place))
+    for other in made.parent.glob(f"{_PREFIX}*-*"):
+        if not _is_alive(other.name.removeprefix(_PREFIX).partition("-")[0]):
+            remove(other)
+    return made
+
+
+def remove(folder: Path) -> None:
+    """Remove such a folder, whose code nobody may write."""
+    for path in (folder, *folder.rglob("*")):
+        if path.is_dir() and not path.is_symlink():
+            with contextlib.suppress(OSError):
+                path.chmod(0o700)
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_alive(number: str) -> bool:
+    """Whether there is a process of that number, as far as the system says."""
+    if os.name != "posix" or not number.isdecimal():
+        return True
+    try:
+        os.kill(int(number), 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except OSError:
+        return True
+    return True

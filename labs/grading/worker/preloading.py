@@ -63,7 +63,8 @@ def prepare() -> list[str]:
     for name in _USUAL:
         importlib.import_module(name)
     packages = os.path.dirname(os.path.dirname(os.path.abspath(np.__file__)))
-    sys.path[:] = [path for path in sys.path if path not in (os.getcwd(), packages)]
+    ours = os.path.abspath(os.path.join(__file__, *[os.pardir] * 4))
+    sys.path[:] = [path for path in sys.path if path not in (ours, packages)]
     for name in [name for name in sys.modules if name.partition(".")[0] == "labs"]:
         del sys.modules[name]
     library = sysconfig.get_path("stdlib")

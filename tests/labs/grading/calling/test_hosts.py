@@ -111,6 +111,36 @@ def test_a_process_of_a_test_is_not_told_where_the_lab_is(options):
         assert not [each for each in places if str(ROOT) in each]
 
 
+def test_without_a_sandbox_a_file_that_a_submission_leaves_is_in_nobody_elses_way():
+    text = """
+    import os
+    def f():
+        for name in ("json", "ast", "numpy", "labs"):
+            with open(name + ".py", "w") as file:
+                file.write("raise SystemExit")
+        return sorted(os.listdir())
+    """
+    with Grader(PATIENT, sandboxed=False) as lesser:
+        for _ in range(2):
+            with Remote(Submission("lab.py", textwrap.dedent(text)), lesser) as remote, remote.fresh() as call:
+                assert call("f") == ["ast.py", "json.py", "labs.py", "numpy.py"]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="elsewhere nobody can ask whether a process is there")
+def test_the_copies_of_a_grader_that_was_killed_are_removed(monkeypatch, tmp_path):
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait()
+    left, used, other = (tmp_path / f"grading-apart-{name}" for name in (f"{ended.pid}-x", f"{os.getpid()}-y", "z-z"))
+    for each in (left, used, other):
+        (each / "code").mkdir(parents=True)
+        (each / "code").chmod(0o500)
+    made = worker_files.own_folder()
+    assert sorted(tmp_path.iterdir()) == sorted([made, used, other])
+    worker_files.remove(used)
+    assert not used.exists()
+
+
 def test_numpy_that_cannot_be_copied_is_used_where_it_is(monkeypatch, tmp_path):
     monkeypatch.setattr(worker_files, "_UNUSED", lambda folder, names: ["linalg"])
     assert not worker_files.lay_out_with_numpy(tmp_path)
