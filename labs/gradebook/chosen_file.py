@@ -13,11 +13,11 @@ from pathlib import Path, PurePosixPath
 from labs.gradebook.delivered_files import DeliveredFile, shown
 from labs.gradebook.layouts import Owner
 from labs.grading.errors import UnreadableSubmission
-from labs.grading.submission.opening import is_notebook_or_python, starts_like_one
+from labs.grading.submission.opening import is_called_python, is_notebook_or_python, starts_like_one
 
 _LAB, _HAS_LAB, _STUDENT, _ANY = 0, 2, 4, 6
 """Ranks of a notebook by its name; that of a Python file is one more, but for the last."""
-_START, _MOST_STARTS = 2**16, 10
+_START, _MOST_STARTS = 2**16, 5
 """So many bytes of so many files are looked at for a notebook with another name."""
 
 
@@ -115,8 +115,7 @@ def _rank(file: DeliveredFile, lab: str, student: str) -> tuple[int, bool, bool]
         rank = _HAS_LAB
     else:
         rank = _STUDENT if stem == student.lower() else _ANY
-    is_python = rank != _ANY and ".py" in path.suffixes and ".ipynb" not in path.suffixes
-    return rank + is_python, not _is_proper(file), bool(file.shut)
+    return rank + (rank != _ANY and is_called_python(file.name)), not _is_proper(file), bool(file.shut)
 
 
 def _is_beside(other: Candidate, best: Candidate) -> bool:

@@ -26,6 +26,7 @@ from labs.gradebook.marking import Given, Key, Table, read_table
 from labs.gradebook.typeset import typeset
 from labs.grading.judging.grade import write_private
 from labs.grading.submission.cells import read_cells
+from labs.grading.submission.opening import is_called_python
 
 FOLDER, POINTS, SECOND = "questions", "points.csv", "second.csv"
 SAMPLE = 10
@@ -80,7 +81,7 @@ def is_code_alone(content: Mapping[str, Any] | None) -> bool:
     if content is None or "unreadable" in content:
         return False
     file = str(content.get("identity", {}).get("file", ""))
-    return file.lower().endswith(".py") and not any(content.get("answers", {}).values())
+    return is_called_python(file) and not any(content.get("answers", {}).values())
 
 
 class Codes:

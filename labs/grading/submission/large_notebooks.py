@@ -10,8 +10,8 @@ import re
 
 LARGEST = 64 * 2**20
 """Bytes of the largest notebook that is walked through."""
-_MOST_STEPS = 2_000_000
-"""Some two seconds. A step is a text, a bracket, or a whole list without others in it."""
+_MOST_STEPS = 4_000_000
+"""Some three seconds. A step is a text, a bracket, or a whole list without others in it."""
 _LEFT_OUT = (b'"outputs"', b'"attachments"', b'"widgets"')
 """Keys of the notebook format whose content is no code and may be large."""
 _TEXT = rb'"(?:[^"\\]++|\\.)*+(?:"|\\?\Z)'

@@ -26,12 +26,21 @@ _OTHERS = {
 
 def is_notebook_or_python(name: str) -> bool:
     """Whether a file is called one, if perhaps with an ending behind it, as in `impulse.ipynb.json`."""
-    return any(suffix.lower() in (".ipynb", ".py") for suffix in PurePosixPath(name).suffixes)
+    return is_called_notebook(name) or is_called_python(name)
+
+
+def is_called_notebook(name: str) -> bool:
+    """Whether a file is called a notebook, if perhaps with an ending behind it."""
+    return ".ipynb" in _endings(name)
 
 
 def is_called_python(name: str) -> bool:
-    """Whether a file is called a Python file, if perhaps with an ending behind it."""
-    return any(suffix.lower() == ".py" for suffix in PurePosixPath(name).suffixes)
+    """Whether a file is called a Python file and no notebook, if perhaps with an ending behind it."""
+    return ".py" in _endings(name) and not is_called_notebook(name)
+
+
+def _endings(name: str) -> list[str]:
+    return [suffix.lower() for suffix in PurePosixPath(name).suffixes]
 
 
 def starts_like_one(start: bytes, name: str) -> bool:
@@ -44,7 +53,7 @@ def starts_like_one(start: bytes, name: str) -> bool:
 
 def most_bytes(name: str) -> int:
     """The size of the largest file of a name that is read."""
-    return LARGEST if any(suffix.lower() == ".ipynb" for suffix in PurePosixPath(name).suffixes) else FILE_LIMIT
+    return LARGEST if is_called_notebook(name) else FILE_LIMIT
 
 
 def opened(path: Path) -> int:
