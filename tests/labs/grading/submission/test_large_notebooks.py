@@ -35,7 +35,7 @@ PASTED = {"cell_type": "markdown", "source": "![](attachment:a)", "attachments":
     ],
     ids=["a picture", "a deep table", "many lines", "a pasted picture"],
 )
-@pytest.mark.parametrize("indent", [None, 1])
+@pytest.mark.parametrize("indent", [None, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_notebook_with_large_outputs_is_read_without_them(tmp_path, cells, indent):
     content = json.dumps({"cells": cells, "metadata": {"widgets": {"state": {"a": [1]}}}}, indent=indent).encode()
     submission = handed_in(tmp_path, content)
