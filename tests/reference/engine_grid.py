@@ -184,8 +184,8 @@ def is_rare(cell: Cell) -> bool:
     """Whether only `make weekly` has this cell.
 
     What a second profile promises is kept or broken by its settings and the kind of contact, and the scenarios of which
-    there is one of each have all these kinds. Second is a profile that does not count, and the hand-written world where
-    another method runs the scenario too.
+    there is one of each have all these kinds. So a rare cell runs once, for the promises that one run shows. Second is
+    a profile that does not count, and the hand-written world where another method runs the scenario too.
     """
     second = len(profiles(cell.engine, cell.scenario)) > 1 if cell.profile == WORLD else not counts(cell.profile)
     special = RUNS_OF[cell.engine, cell.profile] <= FEW

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from types import FunctionType
 from typing import Any
 
 from labs.grading.diagnosis.deviations import Deviation, Right
@@ -16,35 +17,37 @@ Measure = Callable[[Function, str, Sequence[Probe], Sequence[Right | None]], lis
 
 
 @contextlib.contextmanager
-def replaced(function: Function, other: Function) -> Iterator[None]:
-    """Put another function in its place, in every loaded module of its package."""
-    package = function.__module__.partition(".")[0]
+def replaced(others: Mapping[Function, Function]) -> Iterator[None]:
+    """Put other functions in the place of some, in every loaded module of their packages."""
+    packages = {function.__module__.partition(".")[0] for function in others}
     places = [
-        (module, name)
+        (module, name, value)
         for key, module in list(sys.modules.items())
-        if key.partition(".")[0] == package
+        if key.partition(".")[0] in packages
         for name, value in list(getattr(module, "__dict__", {}).items())
-        if value is function
+        if isinstance(value, FunctionType) and value in others
     ]
     try:
-        for module, name in places:
-            setattr(module, name, other)
+        for module, name, function in places:
+            setattr(module, name, others[function])
         yield
     finally:
-        for module, name in places:
+        for module, name, function in places:
             setattr(module, name, function)
 
 
-def uses(function: Function, other: Function, cases: Sequence[Probe]) -> bool:
-    """Whether a function calls another one on any good probe."""
-    called = False
+def used(function: Function, others: Iterable[Function], cases: Sequence[Probe]) -> set[Function]:
+    """Those of the other functions that a function calls on any good probe, directly or through others."""
+    called = set[Function]()
 
-    def noticed(*arguments: Any, **named: Any) -> Any:
-        nonlocal called
-        called = True
-        return other(*arguments, **named)
+    def noticed(other: Function) -> Function:
+        def call(*arguments: Any, **named: Any) -> Any:
+            called.add(other)
+            return other(*arguments, **named)
 
-    with replaced(other, noticed):
+        return call
+
+    with replaced({other: noticed(other) for other in others}):
         for probe in cases:
             if probe.group == "usual":
                 function(*probe.arguments)
@@ -66,11 +69,12 @@ def inherited(
     left to that mistake.
     """
     found: list[tuple[list[str], list[Deviation]]] = []
+    called = used(right, [other for other, _ in earlier.values() if other is not right], cases)
     for other, bank in earlier.values():
-        if other is right or not uses(right, other, cases):
+        if other not in called:
             continue
         for entry in bank:
-            with replaced(other, entry.formula):
+            with replaced({other: entry.formula}):
                 deviations = measure(right, name, cases, answers)
             told = any(_same(deviations, known) for known in own)
             if told or all(each.right for each in deviations) or all(each.failure for each in deviations):
