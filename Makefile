@@ -15,6 +15,9 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --max-worker-restart=
 READY  := $(VENV)/.installed
 INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check
 
+# Many processes import the same modules: they are compiled once.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: help install report test docs live verify weekly baseline lint clean
 help:            ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from labs.grading.diagnosis.fingerprints.building import deviations_of, right_answer
-from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited, replaced, uses
+from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited, replaced, used
 from labs.grading.diagnosis.misconceptions import Misconception
 from labs.grading.diagnosis.probes import Probe
 
@@ -70,14 +70,15 @@ def test_nothing_is_inherited_from_unused_functions_or_from_itself(made_up):
 
 
 def test_a_use_at_an_edge_case_alone_does_not_count(made_up):
-    assert uses(made_up.outer, made_up.inner, PROBES)
-    assert not uses(made_up.other, made_up.inner, PROBES)
-    assert not uses(made_up.outer, made_up.inner, PROBES[2:])
+    others = [made_up.inner, made_up.other]
+    assert used(made_up.outer, others, PROBES) == {made_up.inner}
+    assert used(made_up.other, [made_up.inner], PROBES) == set()
+    assert used(made_up.outer, others, PROBES[2:]) == set()
 
 
 def test_a_function_is_replaced_in_its_package_alone_and_put_back(made_up):
     right, user, other = made_up.inner, sys.modules["made_up.user"], sys.modules["made_up_too"]
-    with contextlib.suppress(ZeroDivisionError), replaced(right, abs):
+    with contextlib.suppress(ZeroDivisionError), replaced({right: abs}):
         assert (made_up.inner, user.inner, other.inner) == (abs, abs, right)
         raise ZeroDivisionError
     assert (made_up.inner, user.inner, other.inner) == (right, right, right)
