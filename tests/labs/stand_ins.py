@@ -55,7 +55,7 @@ class Scripted:
         self.over = True
 
 
-SEALED, LOADED = ("sealed", 3, [], [], 0, 0.0), ("loaded", ["f"], [])
+SEALED, LOADED = ("sealed", 3, [], [], 0, 0.0), ("loaded", ["f"], [], [])
 
 
 def begun(*said, limits=PATIENT, patience=10.0, loaded=LOADED, text=""):

@@ -31,13 +31,16 @@ from labs.grading.errors import (
 )
 from labs.grading.phrases import needs
 from labs.grading.safe_text import one_line, plain
-from labs.grading.submission.reading import Submission
+from labs.grading.submission.reading import Complaint, Submission
 from labs.grading.worker import messages
+from labs.grading.worker.loading import MOST_TOLD
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction
 
+LOADING = "the submission, on loading,"
+"""Stands for a function's name while the text is run."""
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 120.0  # s on the clock for the process itself, before it has seen the submission; it needs some 0.01 s
 
@@ -68,6 +71,7 @@ class Call:
         self._lost: StudentError | None = None
         self._names: frozenset[str] = frozenset()
         self._failures = Failures()
+        self.reached: int | None = None  # the line of the last statement that began on loading
         self.printed = ""
         self.changed: tuple[int, ...] = ()
         self.answered = 0
@@ -123,19 +127,24 @@ class Call:
             raise GraderFailed(f"a test's process did not start: {why}") from None
 
     def _load(self) -> None:
-        loading, forged = "the submission, on loading,", "the submission wrote into the grader's pipe on loading"
+        forged = "the submission wrote into the grader's pipe on loading"
         if self._asks_for_code:  # the process sends it before it runs any of the submission
-            match self._exchange(loading, b""):
+            match self._exchange(LOADING, b""):
                 case (str(), code):
                     self._beginning.keep(code)
                 case _:
                     raise self._lose(NoAnswer(forged))
-        match self._exchange(loading, b""):
-            case (str(), list(names), list(failures)):
-                self._names = frozenset(name for name in names if isinstance(name, str))
-                self._failures = Failures(failures)
-            case _:
-                raise self._lose(NoAnswer(forged))
+        for _ in range(MOST_TOLD + 1):
+            match self._exchange(LOADING, b""):
+                case (str(kind), line) if kind == "begins" and is_line(line):
+                    self.reached = line
+                case (str(), list(names), list(failures), list(inner)):
+                    self._names = frozenset(name for name in names if isinstance(name, str))
+                    self._failures = Failures(failures, inner)
+                    return
+                case _:
+                    break
+        raise self._lose(NoAnswer(forged))
 
     @property
     def gone(self) -> bool:
@@ -216,6 +225,16 @@ class Call:
         if messages.pack(value) != messages.pack(again):
             raise NotSteady(f"{name} answered the same call otherwise in a fresh process; only the arguments may count")
         return value
+
+    def failed_within(self) -> list[Complaint]:
+        """The statements in loops and branches that failed on loading; those after them were run all the same."""
+        return [
+            Complaint(
+                f"{self._submission.where(line)}: this statement failed on loading: {self._said(kind, text, None)}"
+            )
+            for _, kind, text, line in self._failures.inner
+            if line
+        ]
 
     def defines(self, name: str) -> bool:
         """Whether the submission has a function of that name."""

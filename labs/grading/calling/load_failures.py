@@ -11,21 +11,27 @@ from collections.abc import Iterable
 from typing import Any, TypeGuard
 
 from labs.grading.submission.cells import CODE_LIMIT
-from labs.grading.worker.serving import Failure
+from labs.grading.worker.loading import Failure
 
 _QUOTED = re.compile(r"'(\w+)'")
 _NAMED = 200  # characters at the start of a NameError's message that contain the name
 
 
 class Failures:
-    """The statements that failed. said: entries as the worker sends them; odd ones are left out."""
+    """The statements that failed. said: entries as the worker sends them; odd ones are left out.
 
-    def __init__(self, said: Iterable[Any] = ()) -> None:
+    within: entries for statements in loops and branches, which went on. inner: those of them that are well formed.
+    """
+
+    def __init__(self, said: Iterable[Any] = (), within: Iterable[Any] = ()) -> None:
         self._by_name: dict[str, Failure] = {}  # "" is every name
-        for failure in said:
-            if _is_failure(failure):
-                for name in failure[0] or [""]:
-                    self._by_name.setdefault(name, failure)
+        self.inner = tuple(failure for failure in within if _is_failure(failure))
+        for failure in (failure for failure in said if _is_failure(failure)):
+            for name in failure[0] or [""]:
+                self._by_name.setdefault(name, failure)
+        for failure in self.inner:
+            for name in failure[0]:
+                self._by_name.setdefault(name, failure)
 
     def of(self, name: str) -> Failure | None:
         """Why a name could not be defined; None if nothing is known of it."""

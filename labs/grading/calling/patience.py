@@ -82,6 +82,10 @@ class Patience:
             )
         return OutOfTime(f"{name} gave no answer: the {test:.3g} s of this test are used up")
 
+    def forget(self, name: str) -> None:
+        """Wait as long as at first for what has run out of time before, because it is not the same any more."""
+        del self.timeouts[name]
+
     @property
     def slow(self) -> frozenset[str]:
         """The functions that ran out of time in a call, or have used up their share, and slow ones that call these."""

@@ -16,19 +16,21 @@ from types import TracebackType
 from typing import Self
 
 from labs.grading.budget import Budget
-from labs.grading.calling.calls import Call
+from labs.grading.calling.calls import LOADING, Call
 from labs.grading.calling.compiling import Beginning
 from labs.grading.calling.hosts import LoneHost, NurseryHost
 from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Host, Limits
 from labs.grading.errors import GraderFailed, NotTried, StudentError
-from labs.grading.submission.reading import Submission
+from labs.grading.submission.reading import Complaint, Submission
 from labs.grading.worker.tier import Tier
 
 __all__ = ["Call", "Grader", "Limits", "Remote"]
 
 _NOBODY = 65534
 """The id of the user `nobody` on Linux."""
+_MOST_LEFT_OUT = 3
+"""So many statements that never end are left out; each may have cost the time of a call."""
 
 
 class Grader:
@@ -66,6 +68,7 @@ class Remote:
     """One submission's functions. Without a grader it makes its own, which `close` ends.
 
     budget: the time that is left to the submission; without one, it has the whole time of the grader's limits.
+    complaints: what the student should know of loading, once a process was begun.
     """
 
     def __init__(self, submission: Submission, grader: Grader | None = None, budget: Budget | None = None) -> None:
@@ -77,6 +80,8 @@ class Remote:
         self._patience = Patience(self.budget, submission.uses)
         self._beginning = Beginning(submission.text, self.grader.limits.printed, code=True)
         self._next: Call | None = None
+        self.complaints: list[Complaint] = []
+        self._complained = False
 
     @property
     def slow(self) -> frozenset[str]:
@@ -110,7 +115,24 @@ class Remote:
             ready.end()
         call = self._new()
         self._unloadable = self._begin(call, self._unloadable)
+        while self._unloadable is not None and self._can_do_without(call, self._unloadable):
+            call.end()
+            call = self._new()
+            self._unloadable = self._begin(call, None)
+        if not self._complained:
+            self._complained = True
+            self.complaints += call.failed_within()
         return call
+
+    def _can_do_without(self, call: Call, why: StudentError) -> bool:
+        """Leave out the statement on which loading ended, if it is known; False if there is nothing to leave out."""
+        text = self.submission.without(self._beginning.text, call.reached)
+        if text is None or isinstance(why, NotTried) or len(self.complaints) == _MOST_LEFT_OUT:
+            return False
+        self.complaints.append(self.submission.left_out(call.reached, str(why).removeprefix(LOADING).strip()))
+        self._patience.forget(LOADING)
+        self._beginning = Beginning(text, self.grader.limits.printed, code=True)
+        return True
 
     def _begin(self, call: Call, unloadable: StudentError | None) -> StudentError | None:
         try:

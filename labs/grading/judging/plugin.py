@@ -113,6 +113,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
         lost = config.stash[_LOST]
         if any(map(is_hidden, _graded(request.session.items))):  # it is marked; a check says what to mend first
             lend(sheet, lost, found, remote)
+        sheet.complaints += remote.complaints
 
 
 @pytest.fixture

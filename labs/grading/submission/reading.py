@@ -93,6 +93,18 @@ class Submission:
         around = (group for group in self._groups if line and group.first <= line <= group.last)
         return next((name for group in around for name in self.functions if name in group.defines), None)
 
+    def without(self, text: str, line: int | None) -> str | None:
+        """A text of this submission without the statements in a line; None if there are none in it."""
+        around = [group for group in self._groups if line and group.first <= line <= group.last]
+        lines = text.split("\n")
+        for group in around:
+            lines[group.first - 1 : group.last] = [""] * (group.last - group.first + 1)
+        return "\n".join(lines) if around and "\n".join(lines) != text else None
+
+    def left_out(self, line: int | None, why: str) -> Complaint:
+        """That the statement in a line was left out, because of what it did on loading."""
+        return Complaint(f"{self.where(line or 1)}: this statement was left out, because it {why}")
+
     def borrows(self, name: str) -> dict[str, str]:
         """Variables in lower case that a function of a notebook takes from other cells, with the cell that set each.
 

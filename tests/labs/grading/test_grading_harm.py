@@ -78,7 +78,7 @@ def test_a_huge_answer_is_refused_before_it_is_unpacked(rows):
 
 def test_numbers_with_one_hash_take_no_time():
     places = [place * (2**61 - 1) for place in range(60_000)]
-    call = begun(Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [*places, 0], 5.0, "")))
+    call = begun(Said(("loaded", ["f"], [], []), ("answer", 1, "value", 0.0, [*places, 0], 5.0, "")))
     with within(LONG):
         assert call("f", 1.0, 2.0) == 5.0
     assert call.changed == (0,)  # the first is 0 times the prime
@@ -89,7 +89,7 @@ def test_thousands_of_failed_statements_take_no_time_at_an_error():
     same = [(["x"], "E", f"{number}", 1) for number in range(10_000)]
     text = "name 'x' is not defined" + "'a'" * 500_000
     raised = [("answer", number, "raised", "NameError", text, 1, [], "") for number in (1, 2)]
-    call = begun(Said(("loaded", ["f"], failed[:8000]), *raised))
+    call = begun(Said(("loaded", ["f"], failed[:8000], []), *raised))
     with within(LONG):
         for _ in range(2):
             with pytest.raises(FunctionRaised):
@@ -143,7 +143,7 @@ def test_the_submission_pays_for_the_time_of_foreseen_calls():
         def send(self, message: bytes, seconds: float, until: float = 0.0) -> None:
             self.spent += 0.2
 
-    process = Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [], 5.0, ""))
+    process = Said(("loaded", ["f"], [], []), ("answer", 1, "value", 0.0, [], 5.0, ""))
     patience = Patience(Budget(10.0))
     call = Call(Submission("lab.py", ""), Limits(), patience, contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)

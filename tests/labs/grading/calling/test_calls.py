@@ -61,7 +61,12 @@ def test_a_forged_answer_is_no_answer(forged):
 def test_malformed_parts_of_an_answer_are_ignored():
     process = Scripted(
         SEALED,
-        ("loaded", ["f", PAIR, 1], [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)]),
+        (
+            "loaded",
+            ["f", PAIR, 1],
+            [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)],
+            [PAIR],
+        ),
         ("answer", 1, "value", 0.0, [PAIR, 7, -1, 10**30, 0], 5.0, "said"),
         ("answer", 2, "raised", "E", "m", 10**1000, [PAIR, 7, "g"], ""),
         ("answer", 3, "raised", "E", "m", PAIR, [], ""),
@@ -75,7 +80,7 @@ def test_malformed_parts_of_an_answer_are_ignored():
         assert set(raised.value.through) <= {"g"}
 
 
-@pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
+@pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, [], []), ("answer", 1), None])
 def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
     call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     assert isinstance(call.begin(Scripted(SEALED, forged), Tier.NETWORK), NoAnswer)
@@ -342,7 +347,7 @@ def test_a_timeout_names_the_limit_that_was_reached(limits, patience, words, clo
 )  # fmt: skip
 def test_each_failure_of_a_call_is_described_in_one_line(said, error, words):
     answer = ("answer", 1, *said, "") if isinstance(said, tuple) else said
-    call, _ = begun(answer, loaded=("loaded", ["f"], [(["rate", "f_2"], "KeyError", "'k'", 2)]))
+    call, _ = begun(answer, loaded=("loaded", ["f"], [(["rate", "f_2"], "KeyError", "'k'", 2)], []))
     with pytest.raises(error) as raised:
         call("f", 1.0)
     assert str(raised.value) == words
@@ -350,7 +355,7 @@ def test_each_failure_of_a_call_is_described_in_one_line(said, error, words):
 
 def test_a_function_whose_definition_failed_says_how_and_where():
     missing = [("answer", number, "missing", "") for number in (1, 2)]
-    call, _ = begun(*missing, loaded=("loaded", [], [(["g"], "KeyError", "'k'", 2), ([], "OSError", "no", 7)]))
+    call, _ = begun(*missing, loaded=("loaded", [], [(["g"], "KeyError", "'k'", 2), ([], "OSError", "no", 7)], []))
     with pytest.raises(FunctionRaised) as raised:
         call("g")
     assert (str(raised.value), raised.value.kind, raised.value.line) == (

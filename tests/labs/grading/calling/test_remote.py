@@ -17,6 +17,7 @@ from labs.grading.errors import (
     FunctionRaised,
     NotSteady,
     OutOfTime,
+    ProcessDied,
     StudentError,
     WrongType,
 )
@@ -96,6 +97,31 @@ def test_a_statement_that_fails_on_loading_costs_only_its_users(of):
             call("bad")
         with pytest.raises(FunctionRaised, match=r"worse could not be defined: NameError.*\(line 6\)"):
             call("worse")
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [
+        "while True:\n    TABLE[1] = 1", "import os\nos._exit(3)", "import time\ntime.sleep(99)",
+        "import ctypes\nctypes.string_at(0)", "import os\nos.abort()",
+    ],
+)  # fmt: skip
+def test_a_statement_that_never_ends_or_ends_the_process_is_left_out(ends, of, hasty):
+    with of(f"TABLE = {{1: -1}}\n{ends}\ndef f(v): return TABLE[1] * v\n") as remote:
+        for _ in range(2):
+            with remote.fresh() as call:
+                assert call("f", 2.0) == -2.0
+    (said,) = map(str, remote.complaints)
+    assert said.startswith(
+        f"line {2 if ends.startswith('while') else 3}: this statement was left out, because it gave no"
+    )
+
+
+def test_of_many_statements_that_never_end_three_are_left_out(of, hasty):
+    ends = "import os\n" + "os._exit(3)\n" * 4 + "def f(v): return v\n"
+    with of(ends) as remote, remote.fresh() as call, pytest.raises(ProcessDied, match="on loading"):
+        call("f", 2.0)
+    assert len(remote.complaints) == 3
 
 
 def test_code_that_cannot_be_compiled_is_described_with_one_line_number(of):
