@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -11,8 +11,9 @@ from labs.assessment.shares import CODE, QUESTIONS, SHARES
 from labs.gradebook.arrivals import Arrival, Missing, arrivals, content_of
 from labs.gradebook.book import Book
 from labs.gradebook.class_run import Failures
-from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, OTHER_DEADLINE, Deadlines
+from labs.gradebook.deadlines import Deadlines
 from labs.gradebook.grading import Task
+from labs.gradebook.lateness import calling_late, lateness, not_there
 from labs.gradebook.layouts import Owner
 from labs.gradebook.marking import Given, Key
 from labs.gradebook.mistakes import naming
@@ -24,11 +25,10 @@ from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.runs_compared import compared, spreads
 from labs.gradebook.sheets import plain
 from labs.gradebook.tables import Mark, junit, plain_table
-from labs.gradebook.times import Received
 from labs.gradebook.upload import Target, filled
 from labs.gradebook.written import Codes, Question, given_to, is_code_alone
 from labs.grading.judging.grade import write_private
-from labs.grading.safe_text import cause_of, one_line
+from labs.grading.safe_text import cause_of
 
 FEEDBACK, CLASS, MARKS = "feedback.html", "class.html", "grades.csv"
 
@@ -53,11 +53,6 @@ class Class:
     def students(self) -> tuple[Student, ...]:
         """Everybody on the roster, and then the strangers."""
         return (*self.roster.students, *self.strangers.values())
-
-    @property
-    def call_late(self) -> set[str]:
-        """The platforms whose names call some of these submissions late: they have a deadline."""
-        return {arrival.owner.platform for arrival in self.handed.values() if arrival.owner.late}
 
 
 def read_class(folder: Path, lab: str, roster: Roster | None = None) -> Class:
@@ -179,24 +174,21 @@ def answers(found: Class, book: Book) -> dict[str, dict[str, str]]:
 def marks(found: Class, marker: Marker) -> list[Mark]:
     """What every student gets."""
     known = {student.id for student in found.roster.students}
-    return [_mark(found, student, student.id in known, marker) for student in found.students]
+    call_late = calling_late(found.handed.values())
+    return [_mark(found, student, student.id in known, marker, call_late) for student in found.students]
 
 
-def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Mark:
+def _mark(found: Class, student: Student, on_roster: bool, marker: Marker, call_late: Collection[str]) -> Mark:
+    """What a student gets. call_late: the platforms that call some submission of the class late."""
     notes = [] if on_roster else ["not on the roster"]
     arrival, missing = found.handed.get(student.id), found.unusable.get(student.id)
     if arrival is None:
         if missing:
             points = None if missing.unreadable_here else 0.0
             return Mark(student, found.lab, points, notes=(*notes, f"{missing.entry}: {missing.why}"))
-        return Mark(student, found.lab, None, notes=(*notes, "nothing handed in"))
-    received = _received(arrival, student)
-    late = marker.deadlines.lateness(student.id, found.lab, received, arrival.owner.platform in found.call_late)
-    notes += arrival.notes
-    if received.stamp and late.said in (NO_TIME, CALLED_LATE):
-        notes.append(f"the platform says {one_line(received.stamp, 60)!r}, which is not a time in one known zone")
-    if marker.deadlines.is_judged_otherwise(student.id, found.lab, received):
-        notes.append(OTHER_DEADLINE)
+        return Mark(student, found.lab, None, notes=(*notes, not_there(student)))
+    late, said = lateness(arrival, student, found.lab, marker.deadlines, call_late)
+    notes += [*arrival.notes, *said]
     if student.id in marker.failures.said:
         return Mark(student, found.lab, None, late=late, notes=(*notes, marker.failures.said[student.id]))
     content = marker.book.grade_of(student.id)
@@ -213,13 +205,6 @@ def _mark(found: Class, student: Student, on_roster: bool, marker: Marker) -> Ma
     if is_code_alone(content):
         notes.append(f"a Python file, which holds no written answers: {SHARES[CODE]} points at most")
     return Mark(student, found.lab, points, left, late, content, tuple(notes))
-
-
-def _received(arrival: Arrival, student: Student) -> Received:
-    """When a submission came, as the platform says beside it, or else in its roster."""
-    if arrival.received is not None or arrival.stamp:
-        return Received(arrival.stamp, arrival.received, called_late=arrival.owner.late)
-    return replace(student.received, called_late=arrival.owner.late or student.received.called_late)
 
 
 def shared_mistakes(every: Sequence[Mark], marker: Marker, waiting: Sequence[Entry]) -> list[Cluster]:

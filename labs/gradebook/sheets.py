@@ -24,6 +24,7 @@ MOST_CELLS = 10**6
 csv.field_size_limit(MOST_BYTES)  # Python's own limit is below what a student may write into Moodle, which is one cell
 BYTE_ORDER_MARK = "\ufeff"
 _DELIMITERS = (",", ";", "\t")
+_LINE_END = re.compile(r"\r\n|\r|\n")
 _HINT = re.compile(r"sep=(.)[\r\n]+", re.IGNORECASE)
 """The line before the header with which Excel names the delimiter."""
 _NO_TEXT = {b"PK\x03\x04": "a workbook or an archive", b"\xd0\xcf\x11\xe0": "an old workbook of Excel"}
@@ -93,7 +94,7 @@ def read_sheet(path: Path, known: Collection[str]) -> Sheet:
         text, mark = _decoded(_bytes(path), path)
     except OSError as error:
         raise InvalidInput(f"cannot read {str(path)!r}: {error.strerror}") from None
-    newline = "\r\n" if "\r\n" in text else "\r" if "\r" in text and "\n" not in text else "\n"
+    ended = _LINE_END.search(text)
     hint = _HINT.match(text)
     delimiter = hint[1] if hint else _delimiter(text, {plain(each) for each in known})
     lines = list(_lines(text[hint.end() :] if hint else text, delimiter, path, 2 if hint else 1))
@@ -112,7 +113,7 @@ def read_sheet(path: Path, known: Collection[str]) -> Sheet:
             )
     full = (tuple([*line, *[""] * len(header)][: len(header)]) for _, line in lines[1:])
     numbers = tuple(number for number, _ in lines[1:])
-    return Sheet(path.name, tuple(header), tuple(full), numbers, Dialect(delimiter, newline, mark))
+    return Sheet(path.name, tuple(header), tuple(full), numbers, Dialect(delimiter, ended[0] if ended else "\n", mark))
 
 
 def read_text(path: Path) -> str:

@@ -15,6 +15,7 @@ from labs.gradebook.mistakes.course_bank import CourseBank
 from labs.gradebook.roster import read_roster
 from labs.gradebook.written import Codes
 
+UNGRADED = "not graded yet"
 RULES = "[due]\nimpulse = 2026-11-30T23:59:00+01:00\n[late]\npercent_per_day = 10\n"
 WORKSHEET = """\
 Identifier,Full name,Status,Grade,Last modified (submission)
@@ -50,7 +51,9 @@ def late(tmp_path):
         rules, codes = read_deadlines(tmp_path / "course.toml"), Codes(tmp_path)
         marker = Marker(Book(tmp_path), rules, Failures(), codes, (), {}, CourseBank(tmp_path, ()))
         every = marks(found, marker)
-        said = {mark.student.id: (mark.late.said, mark.notes[:-1]) for mark in every if mark.student.id in found.handed}
+        said = {
+            mark.student.id: (mark.late.said, tuple(each for each in mark.notes if each != UNGRADED)) for mark in every
+        }
         return said, list(left_to_do(Path("grades"), found, every, Failures(), ()))
 
     return read
@@ -67,6 +70,12 @@ def test_moodles_worksheet_says_when_each_submission_came(late):
     assert line == (
         "2 of whom nobody knows when they handed in: 4, 5. Nothing is taken off, although the rules set a deadline."
     )
+
+
+def test_who_handed_in_by_the_worksheet_and_is_not_in_the_folder_is_noted(late):
+    said, _ = late("Ada_1_assignsubmission_file_/impulse.ipynb", roster=WORKSHEET)
+    assert said["2"][1] == ("nothing handed in, although the platform says 'Monday, 30 November 2026, 11:58 PM'",)
+    assert said["5"][1] == ("nothing handed in",)
 
 
 def test_where_moodle_counts_from_another_deadline_a_person_is_told(late):
