@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from labs.grading.submission.magics import without_magics
+from labs.grading.submission.calls_in_cells import calls_in
 from reference.errors import InvalidInput
 
 LARGEST = 1e50
@@ -35,7 +35,7 @@ def inputs_in(sources: Iterable[str]) -> dict[str, list[list[Any]]]:
     Of equal ones the first is left out, and of many the last ones are kept.
     """
     found: dict[str, list[list[Any]]] = {}
-    for key, arguments in itertools.chain.from_iterable(map(_calls, sources)):
+    for key, arguments in itertools.chain.from_iterable(map(_inputs, sources)):
         kept = [each for each in found.get(key, []) if each != arguments]
         found[key] = [*kept, arguments][-TRIES:]
     return found
@@ -49,23 +49,17 @@ def refuse_other_than_numbers(arguments: Sequence[Any]) -> None:
         raise InvalidInput("the input is too long: one case is enough")
 
 
-def _calls(source: str) -> Iterator[tuple[str, list[Any]]]:
-    if "expose" not in source and source.isascii():  # other letters may be read as these
-        return
-    try:
-        tree = ast.parse(without_magics(source))
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return
-    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and not node.keywords]
-    for call in sorted(calls, key=lambda each: (each.lineno, each.col_offset)):
-        if isinstance(call.func, ast.Attribute) and call.func.attr == "expose" and not _is_long(call):
-            try:
-                key, *arguments = [ast.literal_eval(each) for each in call.args]
-                refuse_other_than_numbers(arguments)
-            except (ValueError, TypeError, RecursionError, MemoryError):  # `InvalidInput` is a ValueError
-                continue
-            if isinstance(key, str) and arguments:
-                yield key, arguments
+def _inputs(source: str) -> Iterator[tuple[str, list[Any]]]:
+    for call in calls_in(source, "expose"):
+        if call.keywords or _is_long(call):
+            continue
+        try:
+            key, *arguments = [ast.literal_eval(each) for each in call.args]
+            refuse_other_than_numbers(arguments)
+        except (ValueError, TypeError, RecursionError, MemoryError):  # `InvalidInput` is a ValueError
+            continue
+        if isinstance(key, str) and arguments:
+            yield key, arguments
 
 
 def _is_long(call: ast.Call) -> bool:

@@ -9,8 +9,8 @@ import ast
 from collections.abc import Iterable
 from pathlib import Path
 
+from labs.grading.submission.calls_in_cells import calls_in
 from labs.grading.submission.cells import read_cells
-from labs.grading.submission.magics import without_magics
 
 _PLACE = 2
 """Where `lab.predict(key, question, answer)` has the answer if it is not named."""
@@ -32,18 +32,11 @@ def predictions_in(sources: Iterable[str]) -> dict[str, bool]:
     """The same for the sources of cells. Of two predictions with one key the last one counts."""
     found: dict[str, bool] = {}
     for source in sources:
-        if "predict" not in source:
-            continue
-        try:
-            tree = ast.parse(without_magics(source))
-        except (SyntaxError, ValueError, RecursionError, MemoryError):  # the last two: text that no person writes
-            continue
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "predict":
-                key = node.args[0] if node.args else _named(node, "key")
-                if isinstance(key, ast.Constant) and isinstance(key.value, str):
-                    answer = node.args[_PLACE] if len(node.args) > _PLACE else _named(node, "answer")
-                    found[key.value] = answer is not None and not _is_open(answer)
+        for call in calls_in(source, "predict"):
+            key = call.args[0] if call.args else _named(call, "key")
+            if isinstance(key, ast.Constant) and isinstance(key.value, str):
+                answer = call.args[_PLACE] if len(call.args) > _PLACE else _named(call, "answer")
+                found[key.value] = answer is not None and not _is_open(answer)
     return found
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import pytest
 from cells import write_notebook
 
@@ -29,3 +31,18 @@ def test_predictions_of_a_file_are_counted_whatever_else_it_holds(tmp_path):
     assert found == {"a": True, "c": True, "d": False}
     assert in_words(found) == "Predictions: 2 of 3 made."
     assert in_words({}) == ""
+
+
+def test_the_last_answer_in_the_text_counts_however_deep_it_is():
+    cell = 'if True:\n    lab.predict("rest", "When?", answer=1.0)\nlab.predict("rest", "When?", answer=...)\n'
+    assert predictions_in([cell]) == {"rest": False}
+    assert predictions_in([cell, 'for _ in "a":\n    lab.predict("rest", "When?", 2.0)']) == {"rest": True}
+
+
+@pytest.mark.parametrize(
+    "odd", ['x = "\\d"', "x = " + "-" * 20_000 + "1", "x = 0x" + "f" * 50_000, "x = " + "[" * 199 + "]" * 199, "x = ("]
+)
+def test_an_odd_line_beside_a_prediction_raises_nothing(odd):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert predictions_in([f'{odd}\nlab.predict("rest", "When?", 2.0)']) in ({}, {"rest": True})
