@@ -59,6 +59,11 @@ def ratio(m, k, c):
     return c / (2 * np.sqrt(k * m))
 
 
+def shortened(z):
+    """√(1 + ζ²) − ζ with all its digits: a mistake in ω or ζ is not also that of losing them."""
+    return 1 / (np.sqrt(1 + np.square(z)) + z)
+
+
 def limit(size):
     return lambda m, k, c=0.0: size(omega(m, k), ratio(m, k, c), m, c)
 
@@ -130,7 +135,7 @@ BANK = (
     M("penalty_step_limit", "damping helps", limit(lambda w, z, m, c: 2 / w * (np.sqrt(1 + z**2) + z)),
       "ζ has the wrong sign: damping would allow longer steps. With semi-implicit Euler it shortens them.",
       "What happens to the limit when the damping grows?"),
-    M("penalty_step_limit", "1/ω", limit(lambda w, z, m, c: (np.sqrt(1 + z**2) - z) / w),
+    M("penalty_step_limit", "1/ω", limit(lambda w, z, m, c: shortened(z) / w),
       "A factor of 2 is missing.",
       "What is the limit without damping?"),
     M("penalty_step_limit", "implicit damping",
@@ -141,19 +146,19 @@ BANK = (
       "Under the root ζ is not squared.",
       "What should the limit be close to for a lot of damping?"),
     M("penalty_step_limit", "ω squared",
-      lambda m, k, c=0.0: 2 * m / k * (np.sqrt(1 + ratio(m, k, c) ** 2) - ratio(m, k, c)),
+      lambda m, k, c=0.0: 2 * m / k * shortened(ratio(m, k, c)),
       "k/m is ω², not ω: the root is missing.",
       "What unit has m/k?"),
     M("penalty_step_limit", "ω upside down",
-      lambda m, k, c=0.0: 2 / np.sqrt(m / k) * (np.sqrt(1 + ratio(m, k, c) ** 2) - ratio(m, k, c)),
+      lambda m, k, c=0.0: 2 / np.sqrt(m / k) * shortened(ratio(m, k, c)),
       "The ratio of stiffness and mass is upside down: a stiffer contact would allow longer steps.",
       "Double the stiffness. Should the limit grow or fall?"),
     M("penalty_step_limit", "ζ without the 2",
-      lambda m, k, c=0.0: 2 / omega(m, k) * (np.sqrt(1 + (2 * ratio(m, k, c)) ** 2) - 2 * ratio(m, k, c)),
+      lambda m, k, c=0.0: 2 / omega(m, k) * shortened(2 * ratio(m, k, c)),
       "The damping ratio is c/(2√(k m)); the 2 is missing.",
       "At which c is the damping critical?"),
     M("penalty_step_limit", "ζ without the root",
-      lambda m, k, c=0.0: 2 / omega(m, k) * (np.sqrt(1 + (c / (2 * k * m)) ** 2) - c / (2 * k * m)),
+      lambda m, k, c=0.0: 2 / omega(m, k) * shortened(c / (2 * k * m)),
       "The damping ratio is c/(2√(k m)); the root is missing.",
       "Has your ζ a unit?"),
     M("penalty_step_limit", "period", limit(lambda w, z, m, c: 2 * np.pi / w + 0 * np.asarray(z)),
