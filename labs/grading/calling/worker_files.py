@@ -75,7 +75,8 @@ def lay_out_with_numpy(folder: Path) -> bool:
 
 def interpreter() -> str:
     """The interpreter from which the environment of this one was made, whose own place may be the lab's folder."""
-    return str(getattr(sys, "_base_executable", "") or sys.executable)
+    base = str(getattr(sys, "_base_executable", ""))
+    return base if os.path.isfile(base) else sys.executable
 
 
 def own_folder() -> Path:
@@ -87,15 +88,17 @@ def own_folder() -> Path:
     place = next((each for each in (*places, "/tmp") if os.path.isdir(each) and os.access(each, os.W_OK)), None)
     made = Path(tempfile.mkdtemp(prefix=f"{_PREFIX}{os.getpid()}-", dir=place))
     for other in made.parent.glob(f"{_PREFIX}*-*"):
-        if not _is_alive(other.name.removeprefix(_PREFIX).partition("-")[0]):
-            remove(other)
+        with contextlib.suppress(OSError):  # somebody else removes it as well
+            ours = other.lstat().st_uid == made.stat().st_uid  # a folder of another user may hold traps
+            if ours and not _is_alive(other.name.removeprefix(_PREFIX).partition("-")[0]):
+                remove(other)
     return made
 
 
 def remove(folder: Path) -> None:
     """Remove such a folder, whose code nobody may write."""
     for path in (folder, *folder.rglob("*")):
-        if path.is_dir() and not path.is_symlink():
+        if not path.is_symlink():
             with contextlib.suppress(OSError):
                 path.chmod(0o700)
     shutil.rmtree(folder, ignore_errors=True)
