@@ -197,13 +197,18 @@ def _submission(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
     other = [f"it holds {listed([chosen.file, *chosen.others])}; {_called(chosen.file, entries)} is graded"]
     stamp = _timestamp(entry, file, [each for other, each in files if other is entry])
     owner = replace(entry.owner, platform=NBGRADER) if stamp and entry.owner.platform == PLAIN else entry.owner
-    received = moment(stamp) or moment(f"{stamp} UTC")  # nbgrader itself takes a time without a zone for UTC
+    received = entry.owner.received or _moment_of_nbgrader(stamp)
     notes = (*other * bool(chosen.others), *named)
     return Arrival(owner, entry.name, file.name, partial(file.read, most + 1), received, stamp, notes=notes)
 
 
 def _called(file: Candidate, entries: Sequence[Entry]) -> str:
     return file.entry.name if len(entries) > 1 else file.file.name
+
+
+def _moment_of_nbgrader(stamp: str) -> datetime | None:
+    """A time of nbgrader, which itself takes one without a zone for UTC."""
+    return moment(stamp) or moment(f"{stamp} UTC")
 
 
 def _timestamp(entry: Entry, graded: DeliveredFile, files: Iterable[DeliveredFile]) -> str:

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from labs.gradebook import moodle
-from labs.gradebook.layouts import CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, Owner
+from labs.gradebook.layouts import BLACKBOARD, CANVAS, GRADESCOPE, MOODLE, NBGRADER, PLAIN, Owner
 from labs.gradebook.sheets import Row, Sheet, plain, read_sheet
 from labs.gradebook.times import Received
 from reference.errors import InvalidInput
@@ -136,7 +136,7 @@ def of_everybody(owners: Iterable[Owner]) -> Roster:
     return Roster(tuple(Student(each.key, each.name, keys={each.platform: frozenset({each.key})}) for each in owners))
 
 
-_FREE = (PLAIN, NBGRADER)
+_FREE = (PLAIN, NBGRADER, BLACKBOARD)
 """Where a folder may have any name: a number, an address, or the student's."""
 _OWN_NUMBERS = (CANVAS, MOODLE)
 """Platforms whose numbers are not those of the course."""

@@ -243,3 +243,24 @@ def test_doubts_get_a_line_for_a_person(tmp_path):
         "1 with a doubt about what they handed in: 7" in each
         for each in left_to_do(tmp_path, found, [], Failures(), ())
     )
+
+
+def test_blackboard_and_brightspace_say_who_and_when_and_the_last_attempt_is_graded(tmp_path):
+    put(tmp_path, "Lab 5_ada_attempt_2026-11-29-22-10-00_impulse.ipynb")
+    put(tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00_impulse.ipynb")
+    put(
+        tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00_plots.py", "Lab 5_b_o_b_attempt_2026-11-30-08-10-00_impulse.py"
+    )
+    put(tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00.txt", content=b"Name: Ada Lovelace (ada)\n")
+    put(tmp_path, "397063-25 - Mary-Ann Smith - Nov 30, 2026 926 PM/impulse.ipynb")
+    put(tmp_path, "397063-25 - Mary-Ann Smith - Nov 30, 2026 1201 AM/impulse.ipynb")
+    put(tmp_path, "397063-25 - Al - October 3, 2026 1012 AM/impulse.ipynb")
+    put(tmp_path, "index.html", content=b"<html>")
+    there, missing = arrivals(tmp_path, "impulse")
+    assert [(each.owner.key, f"{each.received:%d %H:%M}", len(each.notes)) for each in there] == [
+        ("397063 Al", "03 10:12", 0), ("397063 Mary-Ann Smith", "30 21:26", 1), ("ada", "30 08:10", 1),
+        ("b_o_b", "30 08:10", 0),
+    ]  # fmt: skip
+    assert [each.entry for each in missing] == ["index.html"]
+    roster = Roster((Student("ada"), Student("17", "Smith, Mary-Ann"), Student("18", "Al")))
+    assert list(read_class(tmp_path, "impulse", roster).handed) == ["18", "ada", "Blackboard b_o_b", "17"]
