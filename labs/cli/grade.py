@@ -16,16 +16,14 @@ from labs.gradebook import protection, written
 from labs.gradebook.book import STUDENTS, WORKING, Book
 from labs.gradebook.class_grading import (
     MARKS,
-    Class,
     Marker,
     answers,
     marks,
-    read_class,
     shared_mistakes,
-    tasks,
     write_pages,
     write_tables,
 )
+from labs.gradebook.class_list import Class, read_class, tasks
 from labs.gradebook.class_run import Failures, run
 from labs.gradebook.deadlines import Deadlines, read_deadlines
 from labs.gradebook.for_a_person import left_to_do

@@ -89,10 +89,10 @@ def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
         known, paths = _gradescope(folder), sorted(folder.iterdir())
     except OSError as error:
         raise InvalidInput(f"the folder {str(folder)!r} cannot be read: {error.strerror}") from None
-    found: dict[tuple[str, str], list[tuple[Entry, Submitter | None]]] = {}
+    found: dict[tuple[str, str, str], list[tuple[Entry, Submitter | None]]] = {}
     for path in paths:
         for owner, person in () if path.name == METADATA or is_hidden(path.name) else _owners(path, known):
-            found.setdefault((owner.platform, owner.key), []).append((Entry(path, owner), person))
+            found.setdefault((owner.platform, owner.key, owner.name), []).append((Entry(path, owner), person))
     last = sorted((_last(each, lab) for each in found.values()), key=lambda each: each.entry)
     missing = [each for each in last if isinstance(each, Missing)]
     if all(each.stray for each in missing) and len(missing) == len(last):

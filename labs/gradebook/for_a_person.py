@@ -11,7 +11,8 @@ from pathlib import Path
 from labs.assessment.shares import CODE, SHARES
 from labs.gradebook import written
 from labs.gradebook.arrivals import EARLIER, Arrival
-from labs.gradebook.class_grading import MARKS, Class
+from labs.gradebook.class_grading import MARKS
+from labs.gradebook.class_list import Class
 from labs.gradebook.class_run import Failures
 from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, OTHER_DEADLINE
 from labs.gradebook.mistakes import naming

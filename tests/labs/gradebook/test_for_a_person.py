@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from labs.gradebook.arrivals import EARLIER, Arrival, Missing
-from labs.gradebook.class_grading import Class
+from labs.gradebook.class_list import Class
 from labs.gradebook.class_run import Failures
 from labs.gradebook.deadlines import CALLED_LATE, Lateness
 from labs.gradebook.for_a_person import left_to_do

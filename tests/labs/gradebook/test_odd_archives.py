@@ -13,7 +13,7 @@ import pytest
 from submissions import notebook
 
 from labs.gradebook.arrivals import Missing, arrival, arrivals, content_of
-from labs.gradebook.class_grading import read_class, tasks
+from labs.gradebook.class_list import read_class, tasks
 from labs.gradebook.class_run import Failures
 from labs.gradebook.layouts import PLAIN, Owner
 

@@ -12,7 +12,7 @@ from submissions import notebook
 
 from labs.gradebook import delivered_files
 from labs.gradebook.arrivals import Arrival, arrivals, content_of
-from labs.gradebook.class_grading import Class, read_class, tasks
+from labs.gradebook.class_list import Class, read_class, tasks
 from labs.gradebook.class_run import Failures
 from labs.gradebook.for_a_person import left_to_do
 from labs.gradebook.layouts import CANVAS, MOODLE, PLAIN, Owner, owner_of
@@ -235,6 +235,20 @@ def test_a_submission_under_a_groups_name_is_named(tmp_path):
     assert "'thewaves', but the roster has 'Lovelace, Ada'" in found.handed["1"].notes[0]
     other = read_class(tmp_path, "impulse", Roster(students, MOODLE))
     assert not any(each.notes for each in other.handed.values())
+
+
+def test_a_file_that_takes_the_number_of_another_student_does_not_replace_theirs(tmp_path):
+    students = tuple(Student(number, f"Last{number}, First", keys={CANVAS: frozenset({number})}) for number in "37")
+    put(tmp_path, "last3first_3_100_lab.zip", content=b"PK")
+    put(tmp_path, "last7first_7_101_impulse-1.ipynb", "x_7_3_1000_impulse.ipynb", "x_3_7_1000_impulse.ipynb")
+    found = read_class(tmp_path, "impulse", Roster(students, CANVAS))
+    assert found.handed["7"].entry == "last7first_7_101_impulse-1.ipynb"
+    assert found.handed["7"].notes == ("x_7_3_1000_impulse.ipynb is of the same student and is not graded",)
+    calls, broken = found.handed["3"].notes
+    assert "calls it the submission of 'x'" in calls
+    assert broken == "last3first_3_100_lab.zip: it cannot be opened: File is not a zip file"
+    nobodys = read_class(tmp_path, "impulse")
+    assert [each.id for each in nobodys.students] == ["7", "3"]
 
 
 def test_doubts_get_a_line_for_a_person(tmp_path):

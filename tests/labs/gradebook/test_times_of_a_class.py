@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from labs.gradebook.book import Book
-from labs.gradebook.class_grading import Marker, marks, read_class
+from labs.gradebook.class_grading import Marker, marks
+from labs.gradebook.class_list import read_class
 from labs.gradebook.class_run import Failures
 from labs.gradebook.deadlines import CALLED_LATE, NO_TIME, read_deadlines
 from labs.gradebook.for_a_person import left_to_do
