@@ -14,6 +14,8 @@ from labs.assessment import exposures
 from labs.assessment.written_inputs import TRIES, inputs_in
 from labs.building import lessons
 from labs.desk import student_code
+from labs.grading.submission.asked_predictions import predictions_in, predictions_of
+from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, UnknownName
 
@@ -183,6 +185,14 @@ def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
     ]
     path = write_notebook(tmp_path / "lab.ipynb", *cells)
     assert exposures.found_in(path, "detection") == {"distance": False, "hail": True, "gallery": True}
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_a_solved_notebook_gets_every_prediction_and_input_and_an_open_one_none(topic):
+    asked = predictions_in(cell.text for cell in lessons.read(topic).cells if cell.code)
+    for folder, done in ((SOLVED_NOTEBOOKS, True), (STUDENT_NOTEBOOKS, False)):
+        assert predictions_of(folder / f"{topic}.ipynb") == dict.fromkeys(asked, done)
+        assert set(exposures.found_in(folder / f"{topic}.ipynb", topic).values()) == {done}
 
 
 def test_of_many_inputs_the_last_ones_are_tried_each_once():

@@ -141,6 +141,7 @@ def test_the_copies_of_a_grader_that_was_killed_are_removed(monkeypatch, tmp_pat
     assert not used.exists()
 
 
+@pytest.mark.slow
 def test_numpy_that_cannot_be_copied_is_used_where_it_is(monkeypatch, tmp_path):
     monkeypatch.setattr(worker_files, "_UNUSED", lambda folder, names: ["linalg"])
     assert not worker_files.lay_out_with_numpy(tmp_path)
