@@ -10,7 +10,7 @@ import ast
 from collections.abc import Iterator, Sequence
 
 from labs.grading.submission.magics import without_magics
-from labs.grading.submission.stubs import AGAIN, is_open_version, is_stub
+from labs.grading.submission.stubs import AGAIN, is_open_version, is_stub, says
 
 
 def earlier_versions(cells: Sequence[str]) -> dict[str, str]:
@@ -55,4 +55,4 @@ def _is_open(function: ast.FunctionDef) -> bool:
 
 
 def _is_to_do_again(function: ast.FunctionDef) -> bool:
-    return _is_open(function) and AGAIN in ast.dump(function.body[-1])
+    return _is_open(function) and says(function.body[-1], AGAIN)

@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import Cell, Complaint, merge_mark, place
+from labs.grading.submission.flow import AT_HAND
+from labs.grading.submission.magics import cell_magic
 from labs.grading.submission.statements import Group, defined_as
 from labs.grading.submission.syntax_errors import explained
 from reference import lecture
@@ -121,6 +123,32 @@ def in_cells_of_text(missing: Collection[str], texts: Sequence[Cell]) -> Iterato
             if name in missing and "```" not in cell.source:
                 after = f" after {place(cell.number, None)}" if cell.number else ""
                 yield Complaint(f"{name} is in a cell of text{after}: select that cell, and press Esc and Y")
+
+
+def below_a_magic(missing: Collection[str], cells: Sequence[Cell]) -> Iterator[Complaint]:
+    """Complaints of missing functions in cells whose first line keeps a notebook from running them as Python."""
+    for cell in cells:
+        if (magic := cell_magic(cell.source)) and (
+            names := [each for each in definitions(cell.source) if each in missing]
+        ):
+            text = f"its first line, {one_line(magic, 60)}, keeps the notebook from defining {_some(names)}: delete it"
+            yield Complaint(text, cell.number, 1)
+
+
+def not_at_hand(kept: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints of what the functions need and do not have where they are graded: other packages and files."""
+    for piece in kept:
+        group, cell = piece.group, piece.cell
+        absent = {package for package in group.modules.values() if package and package not in AT_HAND}
+        for package in sorted(absent) if not group.is_compound else ():
+            text = (
+                f"{one_line(package, 80)} is not there where this is graded, only NumPy and Python's own library: if it"
+                " is a file of your own, copy what you need of it into this one"
+            )
+            yield Complaint(text, cell.number, group.first)
+        if "__file__" in group.uses:
+            text = "__file__ is not defined where this is graded, and no other file is there: write its numbers here"
+            yield Complaint(text, cell.number, group.first)
 
 
 def misspelt(missing: Sequence[str], pieces: Sequence[Located]) -> Iterator[Complaint]:

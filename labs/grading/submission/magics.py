@@ -11,8 +11,16 @@ from __future__ import annotations
 
 import re
 
-_PYTHON_CELL = re.compile(r"(?:\n*%%[ \t]*(?:time|timeit|capture|prun)(?:[ \t][^\n]*)?(?:\n|\Z))*\n*")
-"""First lines after which a cell is Python as any other."""
+_CELL_MAGIC = re.compile(r"\n*%%[ \t]*(?P<name>[\w!]*)[^\n]*(?:\n|\Z)\n*")
+"""A first line that says what becomes of its cell."""
+_PYTHON = {"time", "timeit", "capture", "prun", "debug", "code_wrap"}
+"""IPython's own that run their cell as Python."""
+_NOT_PYTHON = {
+    "", "!", "HTML", "SVG", "bash", "cmd", "file", "html", "javascript", "js", "latex", "markdown", "perl", "pypy",
+    "python", "python2", "python3", "ruby", "script", "sh", "svg", "sx", "system", "writefile",
+}  # fmt: skip
+"""IPython's own that do something else with it. Any other one comes from elsewhere, as pyinstrument, memit and R do."""
+_FUNCTION = re.compile(r"^def[ \t]+\w+[ \t]*\(", re.MULTILINE)
 _START = re.compile(r"\n*(?P<indent>[ \t]*)(?P<prompt>>>>(?: |$))?", re.MULTILINE)
 _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.)(?: |$)", re.MULTILINE)
 _MAGIC = re.compile(
@@ -34,12 +42,16 @@ TOKEN = re.compile(
 
 
 def without_magics(source: str) -> str:
-    """The cell's Python; empty if its first line says that the cell is in another language."""
+    """The cell's Python; empty if its first line says that the cell is in another language, or goes elsewhere.
+
+    A magic that is not IPython's own is taken for one that runs its cell as Python if the cell defines a function.
+    """
     source = _at_the_margin(source)
-    found = _PYTHON_CELL.match(source)
-    at = found.end() if found else 0
-    if source.startswith("%%", at):
-        return ""
+    at = 0
+    while found := _CELL_MAGIC.match(source, at):
+        if not _runs_python(found, source):
+            return ""
+        at = found.end()
     parts = ["\n" * source.count("\n", 0, at)]
     while at < len(source):
         end = _end_of_line(source, at) if _MAGIC.match(source, at) else 0
@@ -52,6 +64,18 @@ def without_magics(source: str) -> str:
             parts.append(source[at:end])
         at = end
     return "".join(parts)
+
+
+def cell_magic(source: str) -> str:
+    """The first line of a cell that keeps its code from being run in the notebook; empty if there is none."""
+    found = _CELL_MAGIC.match(source)
+    return found[0].strip() if found and not _runs_python(found, source) else ""
+
+
+def _runs_python(magic: re.Match[str], source: str) -> bool:
+    if magic["name"] in _PYTHON:
+        return True
+    return magic["name"] not in _NOT_PYTHON and _FUNCTION.search(source, magic.end()) is not None
 
 
 def _at_the_margin(source: str) -> str:

@@ -23,14 +23,17 @@ from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import Cell, Complaint, place, read_cells
 from labs.grading.submission.complaints import (
     Located,
+    below_a_magic,
     definitions,
     few,
     in_cells_of_text,
     misplaced,
     misspelt,
+    not_at_hand,
     unreadable,
     with_its_cost,
 )
+from labs.grading.submission.kept_text import assembled, kept_pieces
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.slicing import needed, used_by
 from labs.grading.submission.statements import Group, called_in, defined_as, groups
@@ -86,7 +89,12 @@ class Submission:
             if not group.defines & others
             and not any(last[each] is not group and defined_as(group, each) == "def" for each in group.defines)
         ]
-        return "\n".join(sorted({ast.unparse(each) for at in needed(own, [name]) for each in own[at].statements}))
+        kept = [own[at] for at in needed(own, [name])]
+        try:
+            return "\n".join(sorted({ast.unparse(each) for group in kept for each in group.statements}))
+        except RecursionError:  # a sum of hundreds of terms: the text as it stands
+            lines = self.text.split("\n")
+            return "\n".join(line for group in kept for line in lines[group.first - 1 : group.last])
 
     def function_at(self, line: int | None) -> str | None:
         """The function of the submission that contains a line of the text, if one does."""
@@ -164,12 +172,15 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     missing = [each for each in wanted if each not in defined]
     complaints.extend(misplaced(missing, pieces))
     complaints.extend(in_cells_of_text(missing, texts))
+    complaints.extend(below_a_magic(missing, cells))
     complaints.extend(misspelt(missing, pieces))
     if missing:
         text = f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"
         complaints.append(Complaint(text, kind="missing"))
     functions += [name for name in also if name in defined and name not in wanted]
-    text, starts = _assembled(cells, sources, pieces, functions)
+    kept = kept_pieces(pieces, functions)
+    complaints.extend(not_at_hand(kept))
+    text, starts = assembled(cells, sources, kept)
     lost = {each for cell, _ in unread for each in definitions(cell.source)}
     return Submission(
         name, text, tuple(functions), tuple(few(complaints)), starts, tuple(each for each in missing if each in lost)
@@ -219,41 +230,3 @@ def _check_definition(name: str, pieces: list[Located], complaints: list[Complai
 def _counting(name: str, found: list[Located]) -> Located:
     """The definition that counts: the last one, or the last one in a cell made for it."""
     return ([piece for piece in found if name in piece.cell.tags] or found)[-1]
-
-
-def _assembled(
-    cells: list[Cell], sources: list[str], pieces: list[Located], functions: list[str]
-) -> tuple[str, tuple[tuple[int, int], ...]]:
-    """The text that the functions need, with all other lines empty, and where each code cell starts in it."""
-    made_for_it = _in_cells_made_for(pieces, functions)
-    counting = [piece for piece in pieces if not _outdone(piece, made_for_it)]
-    kept: dict[int, list[Group]] = {}  # of each cell
-    for at in sorted(needed([piece.group for piece in counting], functions)):
-        kept.setdefault(id(counting[at].cell), []).append(counting[at].group)
-    lines: list[str] = []
-    starts = []
-    for cell, source in zip(cells, sources, strict=True):
-        if cell.number is not None:
-            starts.append((len(lines), cell.number))
-        lines += _only(source, kept.get(id(cell), []))
-    return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
-
-
-def _in_cells_made_for(pieces: list[Located], functions: list[str]) -> dict[str, Located]:
-    """The functions that are defined in a cell made for them, each with the definition that counts."""
-    return {name: piece for piece in pieces for name in piece.group.defines & set(functions) if name in piece.cell.tags}
-
-
-def _outdone(piece: Located, made_for_it: dict[str, Located]) -> bool:
-    """Whether it is only another definition of a function that has a cell made for it."""
-    alone = len(piece.group.statements) == 1 and isinstance(piece.group.statements[0], ast.FunctionDef)
-    return alone and any(name not in piece.cell.tags for name in piece.group.defines & made_for_it.keys())
-
-
-def _only(source: str, kept: list[Group]) -> list[str]:
-    """The source's lines, empty except for those of the kept groups, and without a backslash behind a last one."""
-    lines = source.split("\n")
-    wanted = {number for group in kept for number in range(group.first, group.last + 1)}
-    for group in kept:
-        lines[group.last - 1] = lines[group.last - 1].rstrip().removesuffix("\\")
-    return [line if number in wanted else "" for number, line in enumerate(lines, start=1)]

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import ast
 import functools
+import re
 import symtable
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from labs.grading.submission.effects import Effects, Function, effects, functions_of
 
+STATEMENT_LIMIT = 20_000
+"""The most statements at the top level of a source."""
+HUGE = "this number has more than 4300 digits, and Python cannot write it: give it as a power or a float"
+_LARGEST, _LONG_NUMBER = 10**4300, 3000  # an int, and the letters of a shorter one in base 16
+_WORD = re.compile(r"\w+")
 _MOST_SCOPES = 200
 _DYNAMIC = {"exec", "globals"}  # they may bind any name
 _COMPOUND = ast.For | ast.AsyncFor | ast.While | ast.If | ast.With | ast.AsyncWith | ast.Try | ast.TryStar | ast.Match
@@ -64,6 +70,7 @@ class Group:
 def groups(source: str) -> tuple[Group, ...]:
     """The source's top-level statements; raises SyntaxError, ValueError, RecursionError or MemoryError."""
     tree = ast.parse(source)
+    _refuse_what_no_person_writes(tree, source)
     scopes: dict[int, list[symtable.SymbolTable]] = {}
     for scope in symtable.symtable(source, "submission", "exec").get_children():
         scopes.setdefault(scope.get_lineno(), []).append(scope)
@@ -74,6 +81,19 @@ def groups(source: str) -> tuple[Group, ...]:
         else:
             found.append([statement])
     return tuple(_group(statements, scopes) for statements in found)
+
+
+def _refuse_what_no_person_writes(tree: ast.Module, source: str) -> None:
+    """Raise a SyntaxError for too many statements, and for a number that Python reads and cannot write."""
+    if len(tree.body) > STATEMENT_LIMIT:
+        raise SyntaxError(
+            f"{STATEMENT_LIMIT} statements outside of functions end here, and no more are read",
+            ("submission", tree.body[STATEMENT_LIMIT].lineno, 0, ""),
+        )
+    if max(map(len, _WORD.findall(source)), default=0) > _LONG_NUMBER:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > _LARGEST:
+                raise SyntaxError(HUGE, ("submission", node.lineno, 0, ""))
 
 
 def defined_as(group: Group, name: str) -> str | None:

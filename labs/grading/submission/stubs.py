@@ -13,7 +13,7 @@ def is_stub(statement: ast.stmt) -> bool:
     """Whether a statement is a function that only says whose turn it is."""
     if not isinstance(statement, ast.FunctionDef) or len(statement.body) > 2:
         return False
-    return UNWRITTEN in ast.dump(statement.body[-1])
+    return says(statement.body[-1], UNWRITTEN)
 
 
 def is_open_version(statement: ast.stmt) -> bool:
@@ -23,6 +23,12 @@ def is_open_version(statement: ast.stmt) -> bool:
     """
     if not isinstance(statement, ast.FunctionDef) or not isinstance(statement.body[-1], ast.Raise):
         return False
-    said = ast.dump(statement.body[-1])
+    last = statement.body[-1]
     returns = any(isinstance(node, ast.Return) for node in ast.walk(statement))
-    return UNWRITTEN in said and (VERSION in said or AGAIN in said) and not returns
+    return says(last, UNWRITTEN) and (says(last, VERSION) or says(last, AGAIN)) and not returns
+
+
+def says(statement: ast.stmt, words: str) -> bool:
+    """Whether words are in a name or a text of a statement, however deep that is nested."""
+    parts = (vars(node).get(kind) for node in ast.walk(statement) for kind in ("id", "attr", "value"))
+    return any(isinstance(part, str) and words in part for part in parts)

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from labs.grading.safe_text import one_line
 from labs.grading.submission.magics import TOKEN
 from labs.grading.submission.newer_python import newer_python
+from labs.grading.submission.statements import HUGE
 
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 _STATEMENT = re.compile(
@@ -107,6 +108,8 @@ def _sentence(error: SyntaxError, line: str, source: str) -> str:
         return _odd_character(chr(int(found[1], 16)), source)
     if isinstance(error, TabError):
         return "tabs and spaces are mixed: indent every line of the function by four spaces for each level"
+    if error.msg.startswith("Exceeds the limit"):
+        return HUGE
     for pattern, words in _MESSAGES:
         if found := re.search(pattern, error.msg):
             return words(line) if callable(words) else found.expand(words)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from submissions import BOTH, WANTED, defined, handed_in, notebook
+from submissions import BOTH, WANTED, defined, handed_in, notebook, told
 
 from labs.grading.submission.magics import without_magics
 
@@ -51,3 +51,28 @@ def test_a_magic_is_removed_only_where_a_statement_begins(cell, python):
 def test_removing_magics_keeps_every_line_number(lines):
     source = "".join(lines)
     assert without_magics(source).count("\n") == source.count("\n")
+
+
+FUNCTION = "def rebound_velocity(v, e):\n    return -e * v\n"
+
+
+@pytest.mark.parametrize(
+    "magic", ["%%snakeviz", "%%heat -o x.png", "%%scalene --cpu", "%%debug", "\n%%time\n%%mprun -f f"]
+)
+def test_a_function_below_a_magic_from_elsewhere_is_read(magic, tmp_path):
+    submission = handed_in(tmp_path, notebook("x = 1", f"{magic}\n{FUNCTION}"))
+    assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
+
+
+@pytest.mark.parametrize("magic", ["%%writefile rebound.py", "%%bash", "%%script python3", "%%file x.py", "%%html"])
+def test_a_function_below_a_magic_that_takes_it_elsewhere_is_missing_with_the_reason(magic, tmp_path):
+    submission = handed_in(tmp_path, notebook("x = 1", f"{magic}\n{FUNCTION}"))
+    assert submission.functions == ()
+    assert f"code cell 2, line 1: its first line, {magic}, keeps the notebook from defining rebound_velocity" in told(
+        submission
+    )
+
+
+@pytest.mark.parametrize("cell", ["%%R\nf <- function(v) v", "%%sql\nselect 1", "%%latex\n$x$", "%%julia\nf(x) = x"])
+def test_a_cell_in_another_language_is_left_out_without_a_word(cell, tmp_path):
+    assert told(handed_in(tmp_path, notebook(cell, BOTH))) == ""

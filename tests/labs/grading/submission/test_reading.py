@@ -201,3 +201,59 @@ CALLER = "def rebound_velocity(v, e):\n    return v + halved(e) * spin"
 )
 def test_no_helper_counts_as_a_variable_of_another_cell(cells, borrowed, tmp_path):
     assert set(handed_in(tmp_path, notebook(*cells)).borrows("rebound_velocity")) == borrowed
+
+
+@pytest.mark.parametrize(
+    ("head", "said"),
+    [
+        ("import helpers\nS = helpers.sign", "line 1: helpers is not there where this is graded, only NumPy and"),
+        ("from physics_utils.signs import S", "line 1: physics_utils is not there where this is graded"),
+        ("x = 1\nimport scipy.constants as S", "line 2: scipy is not there where this is graded"),
+        ("from mine import *", "line 1: mine is not there where this is graded"),
+        ("from pathlib import Path\nS = Path(__file__).parent", "line 2: __file__ is not defined where this is graded"),
+        ("def S():\n    return open(__file__)", "line 1: __file__ is not defined where this is graded"),
+        ("import os\nS = os.path.dirname(__file__)", "line 2: __file__ is not defined"),
+    ],
+)
+def test_what_is_not_there_where_it_is_graded_is_named(head, said, tmp_path):
+    source = f"{head}\n\n{BOTH.replace('-e * v', 'S * e * v')}"
+    assert told(handed_in(tmp_path, source, "lab.py")).startswith(said)
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["import matplotlib.pyplot as plt\nplt.plot([1])", "try:\n    import numba\nexcept ImportError:\n    pass",
+     "import numpy.linalg, json, heapq", "from labs import lab\nlab.begin('impulse')", "print(__file__)"],
+)  # fmt: skip
+def test_what_no_function_needs_may_be_absent(head, tmp_path):
+    assert told(handed_in(tmp_path, f"{head}\n\n{BOTH}", "lab.py")) == ""
+
+
+@pytest.mark.parametrize("number", ["0x" + "f" * 4000, "0b" + "1" * 15_000, "0o" + "7" * 5000, "9" * 5000])
+def test_a_number_that_python_cannot_write_is_named_with_its_line(number, tmp_path):
+    found = handed_in(tmp_path, f"x = 1\ny = {number}\n{BOTH}", "lab.py")
+    assert told(found).startswith("line 2: Python cannot read 'y = ")
+    assert "this number has more than 4300 digits" in told(found)
+    assert found.functions == ()
+
+
+@pytest.mark.parametrize("number", ["0x" + "f" * 3000, "10 ** 5000", "1e300", f"'{'0x' + 'f' * 5000}'"])
+def test_a_number_that_python_can_write_is_read(number, tmp_path):
+    assert told(handed_in(tmp_path, f"x = 1\ny = {number}\n{BOTH}", "lab.py")) == ""
+
+
+@pytest.mark.parametrize(
+    "long", [" + ".join(["e"] * 700), "e" + ".real" * 700, "".join(f"{n} if e == {n} else " for n in range(300)) + "e"]
+)
+def test_an_expression_of_hundreds_of_parts_is_read_like_any_other(long, tmp_path):
+    source = (
+        f"def rebound_velocity(v, e):\n    return {long}\ndef normal_velocity(n, u):\n    raise NotImplementedError\n"
+    )
+    submission = handed_in(tmp_path, source, "lab.py")
+    assert submission.functions == ("rebound_velocity", "normal_velocity")
+    assert long[:40] in submission.code_of("rebound_velocity")
+
+
+def test_of_too_many_statements_none_is_read(tmp_path):
+    found = handed_in(tmp_path, "x = 1\n" * 20_000 + BOTH, "lab.py")
+    assert "20000 statements outside of functions end here" in told(found)
