@@ -197,7 +197,7 @@ def audit(body_a, body_b, after):
 
 def solve_by_sweeps(matrix, offset, sweeps, start=0.0):
     a, b = np.asarray(matrix), np.asarray(offset)
-    f = np.zeros(np.broadcast(a[..., 0], b, start).shape) + start
+    f = np.zeros(np.broadcast_shapes(a.shape[:-1], b.shape, np.shape(start))) + start
     for _ in range(sweeps):
         for i in range(b.shape[-1]):
             others = np.sum(np.delete(a[..., i, :] * f, i, axis=-1), axis=-1)

@@ -242,7 +242,8 @@ def test_a_force_at_one_contact_is_felt_at_the_others(submission, part, examples
 
     with part(1, "any two contacts"):
         examples.agree(submission.resting_problem, problem, bodies)
-    with part(1, "no force, an immovable body"):
+    with part(1, "no force, an immovable body, no contact"):
+        expect(submission.resting_problem, (np.zeros((0, 3)), np.eye(3), REST), (np.zeros((0, 0)), np.zeros(0)))
         for case in (
             ([UP], np.eye(3) / 2, REST),
             ([UP], np.zeros((3, 3)), [0, 0, -20]),
@@ -277,7 +278,7 @@ def test_each_contact_sees_what_the_others_give_now(submission, part, examples):
 
     with part(2, "any three contacts, two sweeps"):
         examples.agree(submission.solve_by_sweeps, sweep, problems)
-    with part(1, "no sweep, three and many, from a start, a contact that moves nothing"):
+    with part(1, "no sweep, three and many, from a start, a contact that moves nothing, no contact"):
         coupled = [[2, 1], [1, 2]]
         for case in (
             (coupled, [-4, -4], 0, [1, 2]), (coupled, [4, 4], 3), (coupled, [-6, 4], 3), (coupled, [-4, -4], 1, [3, 1]),
@@ -286,6 +287,7 @@ def test_each_contact_sees_what_the_others_give_now(submission, part, examples):
         ):  # fmt: skip
             case = plainly(*case)
             expect(submission.solve_by_sweeps, case, sweep(*case))
+        expect(submission.solve_by_sweeps, (np.zeros((0, 0)), [], 3, []), np.zeros(0))
         a, b, start = np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([-4.0, 1.0]), np.array([3.0, 1.0])
         for size in (1e-6, 1e6):
             expect(submission.solve_by_sweeps, (size * a, b, 1, start), sweep(size * a, b, 1, start))

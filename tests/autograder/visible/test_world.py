@@ -256,6 +256,7 @@ def test_sweeps_go_from_contact_to_contact(submission, part):
         expect(submission.solve_by_sweeps, (three, [-2, -8, -6], 1, [1, 4, 3]), [3.0, 2.0, 2.0])
         expect(submission.solve_by_sweeps, ([[0]], [-4], 1), [0.0])  # nothing that it could move
         expect(submission.solve_by_sweeps, ([[0]], [-4], 1, [3]), [0.0])
+        expect(submission.solve_by_sweeps, (np.zeros((0, 0)), [], 1), np.zeros(0))  # nothing touches
         refuse_changes(submission.solve_by_sweeps)
         whole = np.array([[2.0, 1], [1, 2]]), np.array([-3.0, -3]), 1, np.array([0, 0])
         found = numbers(submission.solve_by_sweeps, whole)

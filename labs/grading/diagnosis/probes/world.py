@@ -113,6 +113,7 @@ def _resting() -> list[Probe]:
         usual("a body that weighs more one way", [[1, 0], [0, 1]], [[2, 0.5], [0.5, 1]], [-4, 2]),
         edge("no force", [[0, 0, 1]], np.diag([0.5, 0.5, 0.5]), [0, 0, 0]),
         edge("an immovable body", [[0, 0, 1]], np.zeros((3, 3)), [0, 0, -20]),
+        edge("no contact", np.zeros((0, 3)), np.eye(3), [0, 0, -20]),
     ]
 
     def maker(draw: Draw) -> tuple[Any, ...]:
@@ -144,6 +145,7 @@ def _sweeps() -> list[Probe]:
         edge("all lift off", coupled, [4, 4], 3),
         edge("a contact that moves nothing", [[2, 0], [0, 0]], [-4, 1], 2),
         edge("a contact that moves nothing and is pressed", [[2, 0], [0, 0]], [-4, -1], 2),
+        edge("no contact", np.zeros((0, 0)), np.zeros(0), 2),
         refused("a matrix that does not fit", two, [1], 1),
     ]
     maker = lambda draw: (*_problem(draw), 2, np.abs(draw.vector(2)))  # noqa: E731
