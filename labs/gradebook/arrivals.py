@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 
 from labs.gradebook.chosen_file import Candidate, Entry, choice, in_words, listed
-from labs.gradebook.delivered_files import DeliveredFile, delivered, is_hidden, shown
+from labs.gradebook.delivered_files import NOT_THEIRS, DeliveredFile, delivered, is_hidden, shown
 from labs.gradebook.layouts import (
     GRADESCOPE,
     METADATA,
@@ -91,13 +91,19 @@ def arrivals(folder: Path, lab: str) -> tuple[list[Arrival], list[Missing]]:
         raise InvalidInput(f"the folder {str(folder)!r} cannot be read: {error.strerror}") from None
     found: dict[tuple[str, str, str], list[tuple[Entry, Submitter | None]]] = {}
     for path in paths:
-        for owner, person in () if path.name == METADATA or is_hidden(path.name) else _owners(path, known):
+        for owner, person in () if _is_nobodys(path) else _owners(path, known):
             found.setdefault((owner.platform, owner.key, owner.name), []).append((Entry(path, owner), person))
     last = sorted((_last(each, lab) for each in found.values()), key=lambda each: each.entry)
     missing = [each for each in last if isinstance(each, Missing)]
     if all(each.stray for each in missing) and len(missing) == len(last):
         raise InvalidInput(f"{str(folder)!r} holds no submission: neither folders of students nor notebooks")
     return [each for each in last if isinstance(each, Arrival)], missing
+
+
+def _is_nobodys(path: Path) -> bool:
+    """Whether an entry is no student's. A folder whose name begins with a dot may be one's, as the name is free."""
+    is_theirs = path.name not in NOT_THEIRS and _is_folder(path)
+    return path.name == METADATA or (is_hidden(path.name) and not is_theirs)
 
 
 def arrival(path: Path, owner: Owner, lab: str) -> Arrival | Missing:

@@ -113,6 +113,12 @@ def test_what_nbgrader_says_of_the_time_is_kept_where_nobody_can_read_it(tmp_pat
     ]
 
 
+def test_a_student_may_have_a_name_that_begins_with_a_dot(tmp_path):
+    for name in ("..ada/impulse.ipynb", ".git/impulse.ipynb", ".bob.ipynb", "__MACOSX/impulse.ipynb"):
+        put(tmp_path, name)
+    assert found(tmp_path) == {"..ada": "impulse.ipynb"}
+
+
 def test_of_several_files_the_one_of_the_lab_is_graded(tmp_path):
     put(tmp_path, "ada/detection.ipynb")
     put(tmp_path, "ada/Impulse.ipynb")
