@@ -17,8 +17,9 @@ from reference.errors import InvalidInput
 
 _AHEAD = 2
 """So many submissions wait for each worker: those further back are not read yet, so that memory does not grow."""
-_PATIENCE = 2 * ON_THE_CLOCK
-"""So many times its seconds a submission may take on the clock, all in all; the budget of its tests ends at half."""
+_PATIENCE, _LEAST_PATIENCE = 2 * ON_THE_CLOCK, 600.0
+"""So many times its seconds a submission may take on the clock, all in all, and never less than so many seconds. The
+budget of its tests ends at half of it."""
 
 
 @dataclass
@@ -65,7 +66,7 @@ def run(
                 running[workers_now.submit(task)] = task
             if not running:
                 break
-            patience = max(task.seconds for task in running.values()) * _PATIENCE
+            patience = max(map(_patience, running.values()))
             done = wait(running, patience, FIRST_COMPLETED).done
             if not done:  # one of them has no end, and nobody can say which
                 alone.extend(running.values())
@@ -90,6 +91,10 @@ def run(
         workers_now.executor.shutdown(wait=True)
 
 
+def _patience(task: Task) -> float:
+    return max(_LEAST_PATIENCE, task.seconds * _PATIENCE)
+
+
 def _settled(task: Task, future: Future[Graded], keep: Callable[[Graded], None], failures: Failures) -> bool:
     """Keep a grade, or note why there is none; False if the worker has died, and perhaps not of this submission."""
     error = future.exception()
@@ -109,7 +114,7 @@ def _settled(task: Task, future: Future[Graded], keep: Callable[[Graded], None],
 
 def _by_itself(task: Task, workers_now: _Pool, keep: Callable[[Graded], None], failures: Failures) -> None:
     """Try a task for the second and last time, while no other runs."""
-    future, patience = workers_now.submit(task), task.seconds * _PATIENCE
+    future, patience = workers_now.submit(task), _patience(task)
     try:
         future.exception(patience)
     except TimeoutError:

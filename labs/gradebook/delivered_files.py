@@ -183,9 +183,10 @@ def _list_archive_in_folder(path: Path, name: str, found: Delivered) -> None:
 def _list_archive(path: Path, below: str, found: Delivered) -> None:
     with _archive(path) as archive:
         infos = [info for info in archive.infolist() if not info.is_dir() and not is_hidden(_slashes(info.filename))]
-    for info in islice(infos, MOST_FILES):
+    last = {_slashes(info.filename): info for info in islice(infos, MOST_FILES)}  # as in a folder that it unpacks to
+    for inside, info in last.items():
         if not stat.S_ISLNK(info.external_attr >> 16):
-            name = below + _slashes(info.filename)
+            name = below + inside
             found.files.append(DeliveredFile(name, info.file_size, partial(_read_packed, path, info), _shut(info)))
     if len(infos) > MOST_FILES:
         found.troubles.append(f"{below or 'it'} holds more than {MOST_FILES} files; the others were not looked at")

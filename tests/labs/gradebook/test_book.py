@@ -200,6 +200,7 @@ def test_a_grade_that_cannot_be_written_stops_no_other(book, pool):
 @pytest.mark.slow
 def test_a_submission_without_an_end_is_stopped_and_the_others_are_graded(book, pool, monkeypatch):
     monkeypatch.setattr(class_run, "_PATIENCE", 1.0)
+    monkeypatch.setattr(class_run, "_LEAST_PATIENCE", 0.0)
 
     def stop():
         for process in multiprocessing.active_children():

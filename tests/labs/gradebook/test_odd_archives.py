@@ -60,6 +60,13 @@ def test_an_archive_in_a_students_folder_is_looked_into(tmp_path):
     assert (bob.file, bob.notes) == ("impulse.py", ("one.zip cannot be opened: File is not a zip file",))
 
 
+@pytest.mark.filterwarnings("ignore:Duplicate name")
+def test_of_two_files_of_one_name_in_an_archive_the_later_one_counts_as_in_a_folder(tmp_path):
+    put(tmp_path, "ada.zip", content=archive(("impulse.ipynb", b"{}"), ("lab.py", b""), ("impulse.ipynb", NOTEBOOK)))
+    (ada,), _ = arrivals(tmp_path, "impulse")
+    assert (content_of(ada), ada.notes) == (NOTEBOOK, ())
+
+
 def _forged(count: int) -> bytes:
     """A list of so many files that are not there."""
     entry = struct.pack("<4s4B4HL2L5H2L", b"PK\x01\x02", 20, 0, 20, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0) + b"a"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from submissions import notebook
 
 from labs.gradebook.similarity import own_code
@@ -37,3 +38,12 @@ def test_what_the_lab_gives_and_what_nobody_wrote_is_left_out(tmp_path):
     assert GIVEN not in solved
     (tmp_path / "broken.py").write_text("def collide(:", encoding="utf-8")
     assert own_code(tmp_path / "broken.py", "impulse") == ""
+
+
+@pytest.mark.parametrize("literal", ["0b1" + "0" * 100_000, "-0o7" + "1" * 50_000, "[0xA, 0xB" + "C" * 150_000 + "]"])
+def test_an_integer_that_python_cannot_write_stops_nobody(tmp_path, literal):
+    path = tmp_path / "impulse.py"
+    path.write_text(
+        f"N = {literal}\n\n\ndef normal_velocity(body_a, body_b, normal):\n    return N\n", encoding="utf-8"
+    )
+    assert len(own_code(path, "impulse")) < 1000
