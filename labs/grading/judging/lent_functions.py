@@ -4,8 +4,8 @@ A mistake costs points where it is made, and nowhere else. So where a function l
 wrong, the test runs again, and the parts that pass then are earned. Only functions that come before it in the lab are
 lent: a function that is found from a later one has not been written.
 
-The text of the lent functions is in the worker's process while such a test runs, beside the submission. Nothing that
-the submission says there is read, except whether a part passes.
+Threat: the text of the lent functions is in the worker's process while such a test runs, beside the submission. So of
+all that the submission says there, nothing is kept except whether a part passes.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from dataclasses import dataclass, replace
 
 from labs.grading.calling.remote import Remote
 from labs.grading.errors import GraderFailed
+from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.submission.excerpts import TopicExcerpts, imports_of, text_of
@@ -69,8 +70,9 @@ def _to_lend(sheet: Sheet, outcome: Outcome, submission: Submission) -> tuple[st
 
 
 def _again(test: LostTest, submission: Submission, remote: Remote, sheet: Sheet) -> list[Part]:
+    paid = sheet.case_by_case.paid  # and not the failures: what an exception says here may be the text that was lent
     with Remote(submission, remote.grader, remote.budget) as other:
-        return test.again(Functions(other, Sheet(case_by_case=sheet.case_by_case)))
+        return test.again(Functions(other, Sheet(case_by_case=CaseByCase(paid=paid))))
 
 
 def _with_returned(outcome: Outcome, found: list[Part], names: tuple[str, ...]) -> Outcome:

@@ -84,6 +84,39 @@ def test_a_function_that_is_found_from_a_later_one_earns_nothing(tmp_path):
     assert earned["sweep_sphere_sphere"] > 0
 
 
+TELLS = """
+
+def normal_velocity(body_a, body_b, normal):
+    return 7.0 + right_normal_velocity(body_a, body_b, normal)
+
+
+def impulse_magnitude(body_a, body_b, normal, restitution):
+    found = "the text that was lent" if "_lent" in globals() else "nothing"
+    {tells}
+"""
+WAYS = {
+    "in an exception": "raise ValueError(found)",
+    "as its answer": "return found",
+    "by printing": "print(found)",
+    "in an exception for several cases": "if np.ndim(normal) > 1:\n        raise ValueError(found)\n"
+    "    return right_impulse_magnitude(body_a, body_b, normal, restitution)",
+    "by ending": "raise SystemExit(found)",
+}
+
+
+@pytest.mark.usefixtures("one_grader")
+@pytest.mark.parametrize(
+    "way", [pytest.param(way, marks=() if way == "in an exception" else pytest.mark.slow) for way in WAYS]
+)
+def test_a_submission_cannot_tell_what_was_lent_to_it(way, tmp_path):
+    path = solved(tmp_path, "impulse")
+    names = "".join(f"\n\nright_{name} = {name}" for name in ("normal_velocity", "impulse_magnitude"))
+    path.write_text(path.read_text(encoding="utf-8") + names + TELLS.format(tells=WAYS[way]), encoding="utf-8")
+    sheet = run(path, ("impulse",), functions=("normal_velocity", "impulse_magnitude"))
+    said = f"{Grade(('impulse',), sheet).content()} {sheet}"
+    assert "the text that was lent" not in said
+
+
 # Which functions are lent, and what is given back
 
 
