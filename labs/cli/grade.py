@@ -138,7 +138,8 @@ def grade(
         _say(said)
     _say_all([f"The grade of {student} is put away: nothing is handed in any more." for student in gone])
     _say_all([*notes, *names.notes(topic)])
-    todo = [*left_to_do(out, found, every, failures, shared), *[nobody] * bool(nobody)]
+    unused = written.marked_for_nobody(first, marker.codes, found.handed)
+    todo = [*left_to_do(out, found, every, failures, shared), *filter(None, [unused, nobody])]
     _say("For a person to do:" if todo else "Nothing is left for a person to do.")
     for number, line in enumerate(todo, 1):
         _say(f"{number}. {one_line(line, MOST_LETTERS)}")

@@ -171,6 +171,16 @@ def given_to(
     return total
 
 
+def marked_for_nobody(found: Mapping[Key, Given], codes: Codes, students: Iterable[str]) -> str:
+    """That points count for nobody, as after a roster has given everybody another number; empty if they all count."""
+    there = {codes(student) for student in students}
+    lines = sum(given.filled and code not in there for (_, code), given in found.items())
+    return (
+        f"{lines} of the filled lines in {POINTS} count for nobody, because nothing of their students is handed in now."
+        " The lines stay there. If you have named another folder or another roster, go back to the one before."
+    ) * bool(lines)
+
+
 def agreement(first: Mapping[Key, Given], second: Mapping[Key, Given]) -> str:
     """How far two markers agree about the answers that both have marked, in words; empty if there is none."""
     pairs = [

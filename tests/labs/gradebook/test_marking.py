@@ -10,7 +10,7 @@ import pytest
 
 from labs.gradebook import written
 from labs.gradebook.marking import COLUMNS, Given, read_table
-from labs.gradebook.written import POINTS, Codes, read_tables, write_questions
+from labs.gradebook.written import POINTS, Codes, marked_for_nobody, read_tables, write_questions
 from reference.errors import InvalidInput
 
 POSSIBLE = {"third-law": 3, "weight": 2}
@@ -108,6 +108,14 @@ def test_no_spreadsheet_changes_a_new_code_and_an_old_folder_keeps_its_codes(tmp
     assert all(len(code) == 6 and set(code) <= set("BCDFGHJKLMNPQRSTVWXZ") for code in codes)
     (tmp_path / ".codes").write_text("0" * 64, encoding="utf-8")
     assert [Codes(tmp_path)(name) for name in ("ada", "bob")] == ["WTXWY", "WY27G"]
+
+
+def test_points_that_count_for_nobody_are_said(tmp_path):
+    codes = Codes(tmp_path)
+    found = {("weight", codes("ada")): Given(2.0), ("weight", codes("bob")): Given(None), ("weight", "X"): Given(1.0)}
+    said = marked_for_nobody(found, codes, ["bob"])
+    assert said.startswith("2 of the filled lines in points.csv count for nobody, because nothing of their students is")
+    assert marked_for_nobody(found | {("weight", "X"): Given(None)}, codes, ["ada"]) == ""
 
 
 def test_a_students_code_that_a_spreadsheet_changed_is_said_and_nothing_is_lost(tmp_path):
