@@ -11,7 +11,7 @@ import csv
 import io
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -25,7 +25,7 @@ csv.field_size_limit(MOST_BYTES)  # Python's own limit is below what a student m
 BYTE_ORDER_MARK = "\ufeff"
 _DELIMITERS = (",", ";", "\t")
 _LINE_END = re.compile(r"\r\n|\r|\n")
-_HINT = re.compile(r"sep=(.)[\r\n]+", re.IGNORECASE)
+_HINT = re.compile(r"sep=([,;\t|])[\r\n]+", re.IGNORECASE)
 """The line before the header with which Excel names the delimiter."""
 _NO_TEXT = {b"PK\x03\x04": "a workbook or an archive", b"\xd0\xcf\x11\xe0": "an old workbook of Excel"}
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)")
@@ -98,6 +98,14 @@ def read_sheet(path: Path, known: Collection[str]) -> Sheet:
     hint = _HINT.match(text)
     delimiter = hint[1] if hint else _delimiter(text, {plain(each) for each in known})
     lines = list(_lines(text[hint.end() :] if hint else text, delimiter, path, 2 if hint else 1))
+    header = _header(lines, delimiter, path)
+    full = (tuple([*line, *[""] * len(header)][: len(header)]) for _, line in lines[1:])
+    numbers = tuple(number for number, _ in lines[1:])
+    return Sheet(path.name, tuple(header), tuple(full), numbers, Dialect(delimiter, ended[0] if ended else "\n", mark))
+
+
+def _header(lines: Sequence[tuple[int, list[str]]], delimiter: str, path: Path) -> list[str]:
+    """The first line without empty cells at its end, after a look at whether the others fit below it."""
     _, header = lines[0] if lines else (0, [])
     if len(lines) * len(header) > MOST_CELLS:
         raise InvalidInput(
@@ -111,9 +119,7 @@ def read_sheet(path: Path, known: Collection[str]) -> Sheet:
                 f"line {number} of {str(path)!r} has {len(line)} cells, and the header, which begins with"
                 f" {header[0]!r}, has {len(header)}. A cell that contains {delimiter!r} must be in quotes."
             )
-    full = (tuple([*line, *[""] * len(header)][: len(header)]) for _, line in lines[1:])
-    numbers = tuple(number for number, _ in lines[1:])
-    return Sheet(path.name, tuple(header), tuple(full), numbers, Dialect(delimiter, ended[0] if ended else "\n", mark))
+    return header
 
 
 def read_text(path: Path) -> str:
