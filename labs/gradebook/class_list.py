@@ -12,6 +12,7 @@ from labs.gradebook.grading import Task
 from labs.gradebook.layouts import Owner
 from labs.gradebook.roster import Roster, Student, of_everybody
 from labs.gradebook.sheets import plain
+from labs.grading.safe_text import cause_of
 
 
 @dataclass
@@ -110,7 +111,8 @@ def tasks(
         try:
             content = content_of(arrival)
         except Exception as error:  # it belongs to this submission, whatever it is
-            failures.add(student, error)
+            why = error.strerror if isinstance(error, OSError) and error.strerror else cause_of(error)
+            failures.said[student] = f"it could not be graded: {arrival.file} cannot be read: {why}"
             continue
         if isinstance(content, Missing):
             found.unusable[student] = content

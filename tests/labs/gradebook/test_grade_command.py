@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import csv
 import json
+import os
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -240,3 +241,27 @@ def test_a_mistake_that_two_share_is_named_once_and_next_years_student_reads_its
     graded("first", "again")
     again = {path: tmp_path / "again" / path.relative_to(tmp_path / "grades") for path in before}
     assert {path: other.read_bytes() for path, other in again.items()} == before
+
+
+@pytest.mark.slow
+def test_entries_that_cannot_be_read_or_graded_stop_nobody_in_this_run_and_in_the_next(tmp_path, monkeypatch):
+    one_thread = lambda count, _: contextlib.nullcontext(Workers(count, lambda: ThreadPoolExecutor(1)))  # noqa: E731
+    monkeypatch.setattr("labs.cli.grade.here", one_thread)
+    place = tmp_path / "submissions"
+    place.mkdir()
+    os.mkfifo(place / "pipe.ipynb")
+    (place / "damaged.zip").write_bytes(b"PK\x03\x04")
+    (place / "huge.py").write_text(f"N = 0b1{'0' * 200_000}\n{NORMAL_VELOCITY}", encoding="utf-8")
+    (place / "deep.ipynb").write_bytes(b'{"cells":' + b"[" * 100_000)
+    (place / "right.ipynb").write_bytes((SOLVED_NOTEBOOKS / "impulse.ipynb").read_bytes())
+    arguments = ("grade", str(place), "--lab", "impulse", "--out", str(tmp_path / "grades"), "--no-runs")
+    for _ in range(2):
+        done = collisions(*arguments)
+        assert done.code == 0, done.error
+        assert "3 with nothing that could be graded: deep, damaged, pipe." in done.output
+        found = marks(tmp_path)
+        assert {student: row["raw_score"] for student, row in found.items() if student != "huge"} == {
+            "damaged": "0", "deep": "0", "pipe": "0", "right": "65",
+        }  # fmt: skip
+        assert found["pipe"]["notes"] == "pipe.ipynb: it is a pipe between programs and not a file"
+        assert found["huge"]["raw_score"]
