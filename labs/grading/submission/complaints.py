@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+import builtins
 import difflib
 import re
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -135,11 +137,19 @@ def below_a_magic(missing: Collection[str], cells: Sequence[Cell]) -> Iterator[C
             yield Complaint(text, cell.number, 1)
 
 
-def not_at_hand(kept: Sequence[Located]) -> Iterator[Complaint]:
-    """Complaints of what the functions need and do not have where they are graded: other packages and files."""
+def not_at_hand(kept: Sequence[Located], pieces: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints of what the functions need and do not have where they are graded: other packages and files.
+
+    kept: the pieces that the functions need, of all pieces of the file.
+    """
+    bindings = Counter(name for piece in pieces for name in piece.group.defines)
+    used = {name for piece in kept for name in piece.group.uses}
+    if used - bindings.keys() - vars(builtins).keys() - {"__file__"}:  # a star may stand for them
+        used.add("*")
     for piece in kept:
         group, cell = piece.group, piece.cell
-        absent = {package for package in group.modules.values() if package and package not in AT_HAND}
+        alone = (package for name, package in group.modules.items() if bindings[name] == 1 and name in used)
+        absent = {package for package in alone if package and package not in AT_HAND}
         for package in sorted(absent) if not group.is_compound else ():
             text = (
                 f"{one_line(package, 80)} is not there where this is graded, only NumPy and Python's own library: if it"

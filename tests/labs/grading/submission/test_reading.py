@@ -209,7 +209,7 @@ def test_no_helper_counts_as_a_variable_of_another_cell(cells, borrowed, tmp_pat
         ("import helpers\nS = helpers.sign", "line 1: helpers is not there where this is graded, only NumPy and"),
         ("from physics_utils.signs import S", "line 1: physics_utils is not there where this is graded"),
         ("x = 1\nimport scipy.constants as S", "line 2: scipy is not there where this is graded"),
-        ("from mine import *", "line 1: mine is not there where this is graded"),
+        ("from mine import *\nT = SIGN", "line 1: mine is not there where this is graded"),
         ("from pathlib import Path\nS = Path(__file__).parent", "line 2: __file__ is not defined where this is graded"),
         ("def S():\n    return open(__file__)", "line 1: __file__ is not defined where this is graded"),
         ("import os\nS = os.path.dirname(__file__)", "line 2: __file__ is not defined"),
@@ -223,7 +223,8 @@ def test_what_is_not_there_where_it_is_graded_is_named(head, said, tmp_path):
 @pytest.mark.parametrize(
     "head",
     ["import matplotlib.pyplot as plt\nplt.plot([1])", "try:\n    import numba\nexcept ImportError:\n    pass",
-     "import numpy.linalg, json, heapq", "from labs import lab\nlab.begin('impulse')", "print(__file__)"],
+     "import numpy.linalg, json, heapq", "from mine import helper\nhelper = 1", "print(__file__)", "from mine import *",
+     "from labs import lab\nlab.begin('impulse')"],
 )  # fmt: skip
 def test_what_no_function_needs_may_be_absent(head, tmp_path):
     assert told(handed_in(tmp_path, f"{head}\n\n{BOTH}", "lab.py")) == ""
