@@ -171,14 +171,13 @@ def _last(entries: Sequence[tuple[Entry, Submitter | None]], lab: str) -> Arriva
     attempt = max(entry.owner.attempt for entry, _ in entries)
     now = [(entry, person) for entry, person in entries if entry.owner.attempt == attempt]
     found, person = _submission([entry for entry, _ in now], lab), now[0][1]
+    before = [entry.name for entry, _ in entries if entry.owner.attempt < attempt]
+    note = f"{', '.join(before)} {EARLIER} and {'is' if len(before) == 1 else 'are'} not graded"
     if isinstance(found, Missing):
-        return found
+        return replace(found, why=f"{found.why}; {note}") if before else found
     if person is not None:
         found = replace(found, received=person.received, email=person.email)
-    if before := [entry.name for entry, _ in entries if entry.owner.attempt < attempt]:
-        note = f"{', '.join(before)} {EARLIER} and {'is' if len(before) == 1 else 'are'} not graded"
-        found = replace(found, notes=(*found.notes, note))
-    return found
+    return replace(found, notes=(*found.notes, note)) if before else found
 
 
 def _submission(entries: Sequence[Entry], lab: str) -> Arrival | Missing:

@@ -102,6 +102,9 @@ def test_the_later_of_two_gradescope_submissions_is_graded_also_if_it_has_one_di
     people = "  :submitters:\n  - :name: Ada\n    :sid: '7'\n"
     put(tmp_path, "submission_metadata.yml", content=f"submission_99:\n{people}submission_100:\n{people}".encode())
     assert one(tmp_path).entry == "submission_100"
+    (tmp_path / "submission_100" / "impulse.ipynb").unlink()
+    (missing,) = arrivals(tmp_path, "impulse")[1]
+    assert missing.why == "there is neither a notebook nor a .py file; submission_99 came before it and is not graded"
 
 
 @pytest.mark.parametrize(
