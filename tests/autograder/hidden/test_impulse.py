@@ -207,9 +207,8 @@ def test_with_that_impulse_they_part_at_e_times_the_speed(submission, part, exam
     with part(2, "any two bodies"):
         examples.agree(submission.impulse_magnitude, magnitude, with_e, far=4)
     with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting; bodies of any size"):
-        for case in (*LIMITS, *SIZED):
-            for e in (0.0, 0.5, 1.0):
-                expect(submission.impulse_magnitude, (*case, e), magnitude(*case, e))
+        for case, e in (*itertools.product(LIMITS, (0.0, 0.5, 1.0)), *itertools.product(SIZED, (0.5,))):
+            expect(submission.impulse_magnitude, (*case, e), magnitude(*case, e))
     with part(1, "twice the speed takes twice the impulse"):
 
         def in_proportion(a, b, normal, e):
@@ -231,7 +230,7 @@ def test_the_impulse_acts_at_the_end_of_each_arm(submission, part, examples):
     with part(2, "any two bodies"):
         examples.agree(submission.apply_impulse, after, struck, far=4)
     with part(1, "limiting cases: the ground, no impulse; whole numbers; bodies of any size"):
-        for a, b, _ in (*LIMITS, *SIZED):
+        for a, b, _ in LIMITS:
             for impulse in (np.array([0, 1, 3.0]), np.zeros(3)):
                 expect(submission.apply_impulse, (a, b, impulse), after(a, b, impulse))
         for (a, b, _), (mass, length, time) in zip(SIZED, UNITS, strict=True):
@@ -256,11 +255,10 @@ def test_the_impulse_acts_at_the_end_of_each_arm(submission, part, examples):
 def test_an_impact_of_any_two_bodies(submission, part, examples):
     with part(2, "any two bodies"):
         examples.agree(submission.collide, collision, with_e, far=4)
-    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting, grazing; whole numbers; any size"):
-        for case in (*LIMITS, *SIZED, (*WHOLE, np.array(UP))):
-            for e in (0.0, 0.5, 1.0):
-                expect(submission.collide, (*case, e), collision(*case, e))
-    with part(1, "below, at and above the threshold, approaching and parting"):
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting, grazing; whole numbers"):
+        for case, e in (*itertools.product(LIMITS, (0.0, 0.5, 1.0)), ((*WHOLE, np.array(UP)), 0.5)):
+            expect(submission.collide, (*case, e), collision(*case, e))
+    with part(1, "below, at and above the threshold, approaching and parting; bodies of any size"):
         for speed in (-2.0, -0.25, 0.25, 2.0):
             for threshold in (0.125, 0.25, 0.5):
                 case = body([0, 0, speed], X), body(REST), np.array(UP), 0.5, threshold
