@@ -15,7 +15,8 @@ from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.phrases import gives_beside_physics, no_answer
 from labs.grading.wrapping import WIDTH
 
-ODD = "Something else is wrong besides:"
+ODD = "This mistake alone does not explain:"
+"""It may be a second mistake, or the same one in a form that differs in a limiting case: the lab cannot tell which."""
 MOST = 12
 """An array of up to so many numbers is shown number by number."""
 DUST = 1e-13

@@ -257,8 +257,8 @@ def test_a_known_mistake_with_another_at_the_edges_is_only_likely():
     assert found.verdict == "likely"
     assert found.mistakes[0].id == "friction_force/along the velocity"
     text = " ".join(told(found).split())
-    assert "Something else is wrong besides: friction_force(" in text
-    assert "gives (nan, nan, nan)" in text.partition("Something else")[2]
+    assert "This mistake alone does not explain: friction_force(" in text
+    assert "gives (nan, nan, nan)" in text.partition("does not explain")[2]
 
 
 def test_several_explanations_are_listed_and_none_is_chosen():

@@ -159,7 +159,7 @@ def test_a_likely_mistake_and_what_else_is_wrong_have_own_examples():
     assert found.counterexample.probe.note == "a third of a turn about the diagonal"
     assert found.odd.probe.note == "a thin rod: no inertia about its axis"
     text = told(found)
-    assert text.index("It is Rᵀ I⁻¹ R") < text.index("Something else is wrong besides:") < text.index("thin rod")
+    assert text.index("It is Rᵀ I⁻¹ R") < text.index("This mistake alone does not explain:") < text.index("thin rod")
 
 
 def test_nan_is_explained_and_the_mistake_shown_at_another_input():
