@@ -1,10 +1,13 @@
 """Which hand-written code runs, said by data: a package name or a file's path, loaded only where it runs."""
 
 from __future__ import annotations
+import __future__
 
+import ast
 import functools
 import importlib
 import importlib.util
+import operator
 import re
 import sys
 import traceback
@@ -188,6 +191,7 @@ def _no_file(path: Path) -> InvalidInput:
     return InvalidInput(f"no implementation {str(path)!r}: {why}")
 
 
+_DEFINES_NOTHING = (ast.Expr, ast.For, ast.While, ast.If, ast.With, ast.Match)
 _FILES: dict[tuple[Path, bytes], ModuleType] = {}
 
 
@@ -202,6 +206,20 @@ def _load_file(path: Path) -> ModuleType:
         module = ModuleType(name)
         module.__file__ = str(path)
         sys.modules[name] = module  # as any import does; a dataclass in the file looks itself up there
-        exec(compile(text, path, "exec"), module.__dict__)  # a loader might take stale bytecode instead
+        _run(text, path, module)  # a loader might take stale bytecode instead
         _FILES[path, text] = module
     return _FILES[path, text]
+
+
+def _run(text: bytes, path: Path, module: ModuleType) -> None:
+    """Run a file's statements. One that defines nothing, such as a loop that also plots, costs nothing if it fails."""
+    statements = ast.parse(text, path).body
+    futures = [each for each in statements if isinstance(each, ast.ImportFrom) and each.module == "__future__"]
+    flags = {getattr(__future__, alias.name).compiler_flag for each in futures for alias in each.names}
+    for statement in statements:
+        code = compile(ast.Module([statement], []), path, "exec", functools.reduce(operator.or_, flags, 0), True)
+        try:
+            exec(code, module.__dict__)
+        except Exception:
+            if not isinstance(statement, _DEFINES_NOTHING):
+                raise

@@ -14,6 +14,7 @@ from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import Cell, Complaint, merge_mark, place
 from labs.grading.submission.flow import AT_HAND
 from labs.grading.submission.magics import cell_magic
+from labs.grading.submission.slicing import looked_up
 from labs.grading.submission.statements import Group, defined_as
 from labs.grading.submission.syntax_errors import explained
 from reference import lecture
@@ -137,13 +138,13 @@ def below_a_magic(missing: Collection[str], cells: Sequence[Cell]) -> Iterator[C
             yield Complaint(text, cell.number, 1)
 
 
-def not_at_hand(kept: Sequence[Located], pieces: Sequence[Located]) -> Iterator[Complaint]:
-    """Complaints of what the functions need and do not have where they are graded: other packages and files.
+def not_at_hand(functions: Collection[str], kept: Sequence[Located], pieces: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints of what the functions look up and do not have where they are graded: other packages and files.
 
     kept: the pieces that the functions need, of all pieces of the file.
     """
     bindings = Counter(name for piece in pieces for name in piece.group.defines)
-    used = {name for piece in kept for name in piece.group.uses}
+    used = looked_up([piece.group for piece in kept], functions)
     if used - bindings.keys() - vars(builtins).keys() - {"__file__"}:  # a star may stand for them
         used.add("*")
     for piece in kept:

@@ -179,7 +179,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
         complaints.append(Complaint(text, kind="missing"))
     functions += [name for name in also if name in defined and name not in wanted]
     kept = kept_pieces(pieces, functions)
-    complaints.extend(not_at_hand(kept, pieces))
+    complaints.extend(not_at_hand(functions, kept, pieces))
     text, starts = assembled(cells, sources, kept)
     lost = {each for cell, _ in unread for each in definitions(cell.source)}
     return Submission(

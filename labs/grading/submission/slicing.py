@@ -59,15 +59,21 @@ def _places(every: Sequence[Group], kind: str) -> dict[str, list[int]]:
 
 def used_by(every: Sequence[Group], name: str, among: Collection[str]) -> list[str]:
     """Which of some names a name needs, directly or through names that are not among them; in their order."""
+    seen = looked_up(every, [name], set(among) - {name})
+    return [other for other in among if other in seen and other != name]
+
+
+def looked_up(every: Sequence[Group], names: Collection[str], ends: Collection[str] = ()) -> set[str]:
+    """Some names, and those that they look up directly or through names other than the ends."""
     used: dict[str, list[frozenset[str]]] = {}
     for group in every:
         for each in group.defines:
             used.setdefault(each, []).append(group.uses)
-    waiting, seen, ends = [name], {name}, set(among) - {name}
+    waiting, seen = [*names], {*names}
     while waiting:
         each = waiting.pop()
-        for names in used.pop(each, []) if each not in ends else []:
-            found = names - seen
+        for uses in used.pop(each, []) if each not in ends else []:
+            found = uses - seen
             seen |= found
             waiting.extend(found)
-    return [other for other in among if other in seen and other != name]
+    return seen

@@ -199,6 +199,18 @@ def test_a_file_that_does_not_compile_says_where(handed_in):
 # Files are modules like any other
 
 
+@pytest.mark.parametrize(
+    "failing", ["plot()", "for n in range(2):\n    plot(n)", "if SIGN:\n    plot()", "print(plot)"]
+)
+def test_a_statement_that_defines_nothing_may_fail(handed_in, failing):
+    text = (
+        f"from __future__ import annotations\nSIGN = -1\n{failing}\ndef side_of_plane(before: X, after): return SIGN\n"
+    )
+    assert Implementation(handed_in(text)).function("side_of_plane")(1.0, 2.0) == -1
+    with pytest.raises(NameError):
+        Implementation(handed_in(text.replace("= -1", "= absent"))).function("side_of_plane")
+
+
 def test_a_file_is_run_once_for_all_its_functions(handed_in):
     counted = "runs = {'times': 0}\nruns['times'] += 1\n"
     path = handed_in(counted + "def holds(): return runs\ndef friction_force(): return runs")

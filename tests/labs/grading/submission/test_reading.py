@@ -224,6 +224,7 @@ def test_what_is_not_there_where_it_is_graded_is_named(head, said, tmp_path):
     "head",
     ["import matplotlib.pyplot as plt\nplt.plot([1])", "try:\n    import numba\nexcept ImportError:\n    pass",
      "import numpy.linalg, json, heapq", "from mine import helper\nhelper = 1", "print(__file__)", "from mine import *",
+     "import plots\nax = plots.axes()\nT = []\nfor n in (1, 2):\n    ax.plot(n)\n    T.append(n)",
      "from labs import lab\nlab.begin('impulse')"],
 )  # fmt: skip
 def test_what_no_function_needs_may_be_absent(head, tmp_path):

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from submissions import defined, handed_in
+from submissions import defined, handed_in, sheet_of
+
+from labs.grading.calling.remote import Grader
+from labs.grading.feedback import report
 
 USED = "\ndef rebound_velocity(v, e):\n    return TABLE[1] * e * v\n"
 FILLED = {
@@ -107,3 +110,36 @@ def test_what_only_shows_a_table_is_left_out(shown, tmp_path):
     )
     text = handed_in(tmp_path, before + shown + USED, "lab.py").text
     assert [line for line in text.splitlines() if line] == ["TABLE = [0, -1]", *USED.strip().splitlines()]
+
+
+RIGHT = """
+import numpy as _np
+def normal_velocity(body_a, body_b, normal):
+    (va, wa, ra), (vb, wb, rb) = body_a[:3], body_b[:3]
+    return -TABLE[1] * _np.sum((va + _np.cross(wa, ra) - vb - _np.cross(wb, rb)) * normal, axis=-1)
+"""
+WITH_PLOTS = {
+    "a loop that plots": "import matplotlib.pyplot as plt\nTABLE = [0, 0]\nfig, ax = plt.subplots()\n"
+    "for n in range(2):\n    ax.plot(TABLE)\n    TABLE[n] = -n\n    plt.pause(0.1)\nplt.show()",
+    "a loop that shows": "from labs import lab\nTABLE = [0, 0]\nlab.begin('impulse')\nfor n in range(2):\n"
+    "    lab.show(TABLE)\n    TABLE[n] = -n",
+    "a question": "TABLE = [0, -1]\nTABLE[0] = input('How many?')",
+    "an end": "TABLE = [0, 0]\nfor n in range(2):\n    TABLE[n] = -n\nexit()",
+}
+WRONG = {
+    "a loop": "TABLE = [0, 0]\nfor n in range(2):\n    TABLE[n] = -3 * n",
+    "an alias": "TABLE = [0, -1]\nalias = TABLE\nalias[1] = -5",
+    "deletion": "TABLE = [0, -1, -7]\ndel TABLE[1]",
+    "a helper": "TABLE = [0, -1]\ndef empty(table):\n    table.clear()\nempty(TABLE)",
+    "a swap": "TABLE = [0, -1]\nTABLE[0], TABLE[1] = TABLE[1], TABLE[0]",
+}
+
+
+@pytest.mark.slow
+def test_a_right_table_earns_all_points_and_a_wrong_one_none(tmp_path):
+    with Grader() as grader:
+        for name, text in (FILLED | WITH_PLOTS).items():
+            sheet = sheet_of(tmp_path, grader, text + RIGHT, "normal_velocity")
+            assert report.all_right(sheet), (name, sheet.complaints)
+        for name, text in WRONG.items():
+            assert sheet_of(tmp_path, grader, text + RIGHT, "normal_velocity").earned == 0, name
