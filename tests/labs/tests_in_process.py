@@ -34,6 +34,7 @@ class Asked:
         try:
             answer = self.function(*arguments, **named)
         except Exception as error:
+            self.answers.note_error()
             raise AssertionError(f"raised {error!r}") from None
         self.functions.process().changed = (0,) if pickle.dumps(arguments) != before else ()
         self.answers.note(answer)

@@ -40,6 +40,10 @@ class SameAnswers:
             self._differ = self._seen not in (None, content)
             self._seen = content
 
+    def note_error(self) -> None:
+        """Note that a call had no answer: what the function does depends on the question."""
+        self._differ = True
+
     def found(self) -> str:
         """What is wrong, in words; empty where two answers differ, or where there are not two."""
         if self._differ or self._calls < 2:

@@ -11,6 +11,7 @@ from typing import Any
 from labs.grading.calling.cases import OneCase
 from labs.grading.calling.remote import Call, Remote
 from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.errors import StudentError
 from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.same_answers import SameAnswers
 from labs.grading.judging.score_sheet import Sheet
@@ -25,8 +26,13 @@ class Function:
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
         """Call it in the process of the test that runs."""
-        answer = self.functions.process()(self.name, *arguments, **named)
-        self.functions.same_answers[self.name].note(answer)
+        answers = self.functions.same_answers[self.name]
+        try:
+            answer = self.functions.process()(self.name, *arguments, **named)
+        except StudentError:
+            answers.note_error()
+            raise
+        answers.note(answer)
         return answer
 
     def foresee(self, several: Iterable[tuple[Any, ...]]) -> None:

@@ -61,6 +61,14 @@ def test_two_different_answers_are_enough_and_one_says_nothing(answers):
     assert found(answers) == ""
 
 
+def test_a_function_that_fails_at_times_does_not_give_the_same_every_time():
+    noted = SameAnswers()
+    for answer in (0.0, 0.0):
+        noted.note(answer)
+    noted.note_error()
+    assert noted.found() == ""
+
+
 def test_zeros_earn_nothing_though_they_are_right_in_limiting_cases(tmp_path, grader):
     sheet = sheet_of(tmp_path, grader, ZEROS_ALONE, "penalty_force", topic="response")
     assert sheet.earned == 0
