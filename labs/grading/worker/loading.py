@@ -50,8 +50,8 @@ class _Inner:
         if isinstance(error, StopIteration) or self.count > _MOST_FAILURES:
             raise error
         if line not in self.noted and len(self.noted) < _MOST_NOTED:
-            kind, message, where = described(error)
-            self.noted[line] = [*names], kind, message, where or line
+            kind, message, _ = described(error)
+            self.noted[line] = [*names], kind, message, line
 
 
 def compiled(text: str) -> CodeType | None:
