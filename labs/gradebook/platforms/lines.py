@@ -89,8 +89,9 @@ def _tests(content: Content) -> Iterator[Line]:
     for test in content.get("tests", ()):
         name = test["function"]
         counts[name] = counts.get(name, 0) + 1
-        verdict = functions.get(name, {}).get("message", "") if not test["passed"] and name not in told else ""
-        told |= {name} if not test["passed"] else set()
+        says = not test["passed"] or functions.get(name, {}).get("verdict") == "right"
+        verdict = functions.get(name, {}).get("message", "") if says and name not in told else ""
+        told |= {name} if says else set()
         yield Line(
             CODE, f"{places.get(name, 0)}.{counts[name]}", name, test["title"], test["got"], test["possible"],
             test["passed"], test["hidden"], SHARES[CODE] * test["possible"] / possible if possible else 0.0,
@@ -99,12 +100,15 @@ def _tests(content: Content) -> Iterator[Line]:
 
 
 def _words(test: Mapping[str, Any], verdict: str) -> Iterator[Paragraph]:
-    """Why a test failed. verdict: on the function, in the first of its tests that failed."""
-    if test["passed"]:
-        return
+    """Why a test failed. verdict: on the function, in the first of its tests that failed.
+
+    Of a right function it says whose mistake would have cost it points, in the first of its tests.
+    """
     failed = [part for part in test["parts"] if part["got"] < part["possible"]]
     if verdict:
         yield Paragraph(verdict, verbatim=True)
+    if test["passed"]:
+        return
     if failed:
         yield Paragraph(f"Not yet: {'; '.join(part['reason'] for part in failed)}.")
     if not verdict and (said := test["message"] or next((part["message"] for part in failed), "")):
