@@ -1,5 +1,5 @@
 """Built-ins that make classes, open files and evaluate, replaced by others."""
-# says: code that answers
+# says: gave 0\.0
 
 import builtins
 
