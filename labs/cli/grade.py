@@ -133,7 +133,8 @@ def grade(
         with _progress("Writing pages", len(every)) as advance:
             page = write_pages(book, found, every, marker, shared, advance)
     graded = sum(mark.content is not None for mark in every)
-    _say(f"{graded} submissions are graded, {len(failures.said)} could not be graded.")
+    count = "1 submission is" if graded == 1 else f"{graded} submissions are"
+    _say(f"{count} graded, {len(failures.said)} could not be graded.")
     if said := protection.in_words(mark.content for mark in every if mark.content is not None):
         _say(said)
     _say_all([f"The grade of {student} is put away: nothing is handed in any more." for student in gone])

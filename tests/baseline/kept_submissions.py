@@ -27,13 +27,6 @@ ATTACKED, TARGET = "rebound_velocity", "side_of_plane"
 AIMS = {"SECRET": "/nowhere/secret.py", "RESULTS": "/nowhere/results.json", "FOLDER": "/nowhere", "ROOT": "/nowhere",
         "GRADER": str(2**22 + 1), "PORT": "9"}  # fmt: skip
 """In place of the tests' own folders, process and port: no process has so large a number."""
-STOPPING = "stopping"
-HOSTILE_CLASSES = (HOSTILE, STOPPING)
-STOPS = ("a number of a megabit",)
-"""Sources that end `collisions grade` with a traceback, so that nobody else of their class would be graded.
-
-Each is in the class `stopping`, whose grades are then what the command said.
-"""
 BY_CHANCE = ("attack random_answers",)
 """Submissions whose answers are other ones in every run."""
 
@@ -166,8 +159,8 @@ def hostile(root: Path) -> Iterator[Kept]:
         yield Kept(HOSTILE, f"attack {path.stem}", f"{HOSTILE_LAB}.py", text.replace(ATTACKED, TARGET))
     files = runpy.run_path(str(tests / "test_hostile_files.py"))
     for name, made in files["PYTHON"].items():
-        group, text = STOPPING if name in STOPS else HOSTILE, made(files["A_SIXTH"])
-        yield Kept(group, f"source {name}", f"{HOSTILE_LAB}.py", text.replace(ATTACKED, TARGET))
+        text = made(files["A_SIXTH"]).replace(ATTACKED, TARGET)
+        yield Kept(HOSTILE, f"source {name}", f"{HOSTILE_LAB}.py", text)
     for name, (ending, made) in files["OTHERS"].items():
         content = made()
         content = content.encode("utf-8", "surrogatepass") if isinstance(content, str) else content

@@ -99,7 +99,7 @@ class Maker:
 
     def _graded(self, group: Path) -> dict[str, Any]:
         """Return the grades of a class by submission; of one that has none, the note that says why."""
-        hostile, grades = group.name in kept_submissions.HOSTILE_CLASSES, self.work / group.name
+        hostile, grades = group.name == kept_submissions.HOSTILE, self.work / group.name
         lab, seconds = (kept_submissions.HOSTILE_LAB, ("--seconds", SECONDS)) if hostile else (group.name, ())
         options = ("--lab", lab, "--out", str(grades), "--no-runs", "--jobs", "1")
         ended = self.collisions("grade", str(group.resolve()), *options, *seconds)
