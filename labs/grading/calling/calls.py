@@ -136,7 +136,7 @@ class Call:
                     raise self._lose(NoAnswer(forged))
         for _ in range(MOST_TOLD + 1):
             match self._exchange(LOADING, b""):
-                case (str(kind), line) if kind == "begins" and is_line(line):
+                case (str(kind), line) if kind == "begins" and (line is None or is_line(line)):
                     self.reached = line
                 case (str(), list(names), list(failures), list(inner)):
                     self._names = frozenset(name for name in names if isinstance(name, str))

@@ -64,12 +64,13 @@ def compiled(text: str) -> CodeType | None:
 
 
 def load(
-    text: str, module: ModuleType, code: CodeType | None, begins: Callable[[int], object]
+    text: str, module: ModuleType, code: CodeType | None, begins: Callable[[int | None], object]
 ) -> tuple[list[Failure], list[Failure]]:
     """Run the code of the text in the module; a statement that fails costs only the names that it defines.
 
     Without code, because Python cannot read all of the text, each statement is run alone. begins: is told the line of
-    a statement before it is run. Returns the failures of statements, and those within loops and branches.
+    a statement before it is run, and None when there have been too many. Returns the failures of statements, and those
+    within loops and branches.
     """
     inner, told = _Inner(), 0
 
@@ -77,7 +78,7 @@ def load(
         nonlocal told
         told += 1
         if told <= MOST_TOLD:
-            begins(line)
+            begins(line if told < MOST_TOLD else None)
 
     sys.modules[module.__name__] = module  # as any import does; a dataclass looks itself up there
     names = vars(module)
@@ -127,12 +128,22 @@ def _prepared(tree: ast.Module) -> ast.Module:
     """The tree with a call before each statement that may take long, and a `try` round each in a loop or a branch."""
     body: list[ast.stmt] = []
     for statement in tree.body:
-        if not isinstance(statement, ast.FunctionDef) and any(isinstance(node, _LONG) for node in ast.walk(statement)):
+        if _may_take_long(statement):
             body.append(_call(_BEGINS, statement))
         _guard_within(statement)
         body.append(statement)
     tree.body = body
     return tree
+
+
+def _may_take_long(statement: ast.stmt) -> bool:
+    """Whether there is a call, a loop or a power in what is run now; of a function, its decorators and defaults."""
+    if not isinstance(statement, ast.FunctionDef):
+        return any(isinstance(node, _LONG) for node in ast.walk(statement))
+    defaults = [each for each in (*statement.args.defaults, *statement.args.kw_defaults) if each]
+    return bool(statement.decorator_list) or any(
+        isinstance(node, _LONG) for each in defaults for node in ast.walk(each)
+    )
 
 
 def _guard_within(statement: ast.stmt) -> None:

@@ -67,6 +67,14 @@ def test_a_loop_that_only_fails_ends():
 def test_the_lines_of_statements_that_may_take_long_are_told_before():
     text = "import math\nA = 1\nB = math.sqrt(4)\ndef f(): return sum([])\nfor n in range(3):\n    f()\nC = 2**9"
     assert loaded(text)[3] == [3, 5, 7]
+    decorated = "def same(f): return f\n@same\ndef f(): return 1\ndef g(n=0, m=sum([])): return n\n"
+    assert loaded(decorated)[3] == [3, 4]
+
+
+def test_of_very_many_statements_the_last_lines_are_not_told():
+    told = loaded("TABLE = {}\n" + "TABLE[0] = len('a')\n" * 250)[3]
+    assert told[-2:] == [200, None]
+    assert len(told) == 200
 
 
 def test_of_statements_that_cannot_be_compiled_together_each_is_run_alone():
