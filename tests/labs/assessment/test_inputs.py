@@ -94,7 +94,9 @@ def as_given(value):
         return value
 
 
-@pytest.mark.parametrize(("topic", "key"), EVERY)
+@pytest.mark.parametrize(
+    ("topic", "key"), [pytest.param(*each, marks=pytest.mark.slow if at % 5 else ()) for at, each in enumerate(EVERY)]
+)
 def test_a_notebook_says_exposed_where_the_mark_counts_it(lab, cells, capsys, monkeypatch, tmp_path, topic, key):
     lab.topic, suspect = topic, exposures.suspect(topic, key)
     monkeypatch.setattr(student_code, "defined_now", right)
@@ -187,6 +189,7 @@ def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
     assert exposures.found_in(path, "detection") == {"distance": False, "hail": True, "gallery": True}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("topic", lessons.lessons())
 def test_a_solved_notebook_gets_every_prediction_and_input_and_an_open_one_none(topic):
     asked = predictions_in(cell.text for cell in lessons.read(topic).cells if cell.code)

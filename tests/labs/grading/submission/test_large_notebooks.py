@@ -29,8 +29,12 @@ PASTED = {"cell_type": "markdown", "source": "![](attachment:a)", "attachments":
     "cells",
     [
         [code(BOTH, outputs=[PICTURE])],
-        [code(BOTH, outputs=[TABLE, {"outputs": [3]}]), code("x = 1", outputs=[])],
-        [code("x = '\"outputs\": ['", outputs=[STREAM]), code(BOTH, outputs=[STREAM])],
+        pytest.param(
+            [code(BOTH, outputs=[TABLE, {"outputs": [3]}]), code("x = 1", outputs=[])], marks=pytest.mark.slow
+        ),
+        pytest.param(
+            [code("x = '\"outputs\": ['", outputs=[STREAM]), code(BOTH, outputs=[STREAM])], marks=pytest.mark.slow
+        ),
         [PASTED, code(BOTH, outputs="none")],
     ],
     ids=["a picture", "a deep table", "many lines", "a pasted picture"],
