@@ -30,7 +30,7 @@ from labs.gradebook.layouts import (
 )
 from labs.gradebook.times import moment
 from labs.grading.errors import UnreadableSubmission
-from labs.grading.safe_text import one_line
+from labs.grading.safe_text import cause_of, one_line
 from labs.grading.submission.opening import is_notebook_or_python, most_bytes
 from reference.errors import InvalidInput
 
@@ -108,7 +108,7 @@ def _is_nobodys(path: Path) -> bool:
 
 def arrival(path: Path, owner: Owner, lab: str) -> Arrival | Missing:
     """The file of an entry that is graded, or why there is none."""
-    return _submission([Entry(path, owner)], lab)
+    return _submission_or_why([Entry(path, owner)], lab)
 
 
 def arrival_with_content(path: Path, owner: Owner, lab: str) -> tuple[Arrival, bytes] | Missing:
@@ -170,7 +170,7 @@ def _last(entries: Sequence[tuple[Entry, Submitter | None]], lab: str) -> Arriva
     """The last attempt of one student, with a note of the others."""
     attempt = max(entry.owner.attempt for entry, _ in entries)
     now = [(entry, person) for entry, person in entries if entry.owner.attempt == attempt]
-    found, person = _submission([entry for entry, _ in now], lab), now[0][1]
+    found, person = _submission_or_why([entry for entry, _ in now], lab), now[0][1]
     before = [entry.name for entry, _ in entries if entry.owner.attempt < attempt]
     note = f"{', '.join(before)} {EARLIER} and {'is' if len(before) == 1 else 'are'} not graded"
     if isinstance(found, Missing):
@@ -178,6 +178,15 @@ def _last(entries: Sequence[tuple[Entry, Submitter | None]], lab: str) -> Arriva
     if person is not None:
         found = replace(found, received=person.received, email=person.email)
     return replace(found, notes=(*found.notes, note)) if before else found
+
+
+def _submission_or_why(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
+    """What one student handed in. An error that nobody expects is the fault of no other submission."""
+    try:
+        return _submission(entries, lab)
+    except Exception as error:
+        why = f"it cannot be looked at: {cause_of(error)}"
+        return Missing(entries[0].owner, entries[0].name, why, unreadable_here=True)
 
 
 def _submission(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
@@ -199,11 +208,12 @@ def _submission(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
     if file.size > (most := most_bytes(file.name)):
         size = f"{file.size / 2**20:.0f} MB, more than {most / 2**20:.0f}"
         return Missing(entry.owner, entry.name, f"{file.name} has {size}")
+    doubt = [f"{_called(chosen.file, entries)} {said}" for said in [chosen.file.look.said] if said]
     other = [f"it holds {listed([chosen.file, *chosen.others])}; {_called(chosen.file, entries)} is graded"]
     stamp = _timestamp(entry, file, [each for other, each in files if other is entry])
     owner = replace(entry.owner, platform=NBGRADER) if stamp and entry.owner.platform == PLAIN else entry.owner
     received = entry.owner.received or _moment_of_nbgrader(stamp)
-    notes = (*other * bool(chosen.others), *named)
+    notes = (*other * bool(chosen.others), *doubt, *named)
     return Arrival(owner, entry.name, file.name, partial(file.read, most + 1), received, stamp, notes=notes)
 
 

@@ -1,17 +1,20 @@
 """Which of the files that a student handed in is graded, and which others may have been meant.
 
-The notebook with the name of the lab comes first, then a Python file of that name, then what has the name in its own or
-in a folder's, then what is called like the student, and then the only one that there is.
+What a file is about decides first: one in which functions of the lab are written, then one that is as the student found
+it, and one about another lab last. Among those alike the name decides: the notebook with the name of the lab, then a
+Python file of that name, then what has the name in its own or in a folder's, then what is called like the student, and
+then the only one that there is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
 from labs.gradebook.delivered_files import DeliveredFile, shown
 from labs.gradebook.layouts import Owner
+from labs.gradebook.subject import Look, looks
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.opening import is_called_python, is_notebook_or_python, starts_like_one
 
@@ -36,22 +39,42 @@ class Entry:
 
 @dataclass(frozen=True)
 class Candidate:
-    """A file that may be graded. rank: how likely it is the one, the lowest first."""
+    """A file that may be graded. name_rank: how likely its name makes it the one, the lowest first. look: at its text.
+
+    is_behind: whether another file has more than twice as many functions of the lab.
+    """
 
     entry: Entry
     file: DeliveredFile
-    rank: tuple[int, bool, bool]
+    name_rank: tuple[int, bool, bool]
+    look: Look = field(default_factory=Look)
+    is_behind: bool = False
+
+    @property
+    def rank(self) -> tuple[object, ...]:
+        """How likely it is the one that is meant, the lowest first."""
+        return self.look.subject, self.is_behind, self.name_rank
 
     @property
     def order(self) -> tuple[object, ...]:
-        """The first in this order is graded. Of one name it is the newest, and else the one less deep in folders."""
-        path = self.file.path
-        return self.rank, len(path.parts), path.name.lower(), -self.entry.owner.number, self.file.name, self.entry.name
+        """The first in this order is graded. Of one name it is the newest, and else the one less deep in folders.
+
+        Where no name says anything, it is the newest.
+        """
+        path, newest = self.file.path, -self.entry.owner.number
+        by_name = len(path.parts), path.name.lower()
+        return self.rank, newest * self.is_anything, *by_name, newest, self.file.name, self.entry.name
 
     @property
     def is_anything(self) -> bool:
         """Whether nothing in its name says that it is for this lab."""
-        return self.rank[0] == _ANY
+        return self.name_rank[0] == _ANY
+
+    def may_be(self, other: Candidate) -> bool:
+        """Whether nothing but a name tells two files apart that are called otherwise and neither after the lab."""
+        alike = self.look.is_this_lab == other.look.is_this_lab and self.rank[1] == other.rank[1]
+        told = self.look.is_this_lab and self.entry.owner.number != other.entry.owner.number
+        return other.is_anything and alike and not told and self.file.path.name.lower() != other.file.path.name.lower()
 
 
 @dataclass(frozen=True)
@@ -64,14 +87,16 @@ class Choice:
 
 def choice(files: Sequence[tuple[Entry, DeliveredFile]], lab: str) -> Choice:
     """Choose the file of a lab."""
-    ordered = sorted(_candidates(files, lab), key=lambda each: each.order)
+    candidates = _looked_at(_candidates(files, lab), lab)
+    ordered = sorted(_without_modules(candidates), key=lambda each: each.order)
     if not ordered:
         return Choice(None)
     best, *others = ordered
-    alike = [each for each in others if each.rank == best.rank]
-    if best.is_anything and any(each.file.path.name.lower() != best.file.path.name.lower() for each in alike):
-        return Choice(None, (best, *alike))
-    return Choice(best, tuple(each for each in others if each in alike or _is_beside(each, best)))
+    unsure = [each for each in others if best.is_anything and _nobody_can_tell(best, each)]
+    if unsure:
+        return Choice(None, (best, *unsure))
+    meant = [each for each in candidates if each is not best and _may_be_meant(each, best)]
+    return Choice(best, tuple(sorted(meant, key=lambda each: each.order)))
 
 
 def listed(candidates: Sequence[Candidate]) -> str:
@@ -92,7 +117,51 @@ def _candidates(files: Sequence[tuple[Entry, DeliveredFile]], lab: str) -> list[
     odd = [(entry, file) for entry, file in named if not _is_proper(file)]
     looked_at = odd or ([] if proper else sorted(files, key=lambda each: lab not in each[1].name.lower()))
     odd = [(entry, file) for entry, file in looked_at[:_MOST_STARTS] if _starts_like_one(file)]
-    return [Candidate(entry, file, _rank(file, lab, entry.owner.key)) for entry, file in (*proper, *odd)]
+    return [Candidate(entry, file, _name_rank(file, lab, entry.owner.key)) for entry, file in (*proper, *odd)]
+
+
+def _looked_at(candidates: Sequence[Candidate], lab: str) -> list[Candidate]:
+    """The candidates, notebooks first, with what a look at their text says."""
+    likely = sorted(candidates, key=lambda each: (is_called_python(each.file.name), each.order))
+    found = looks([each.file for each in likely], lab)
+    most = max((look.written for look in found), default=0)
+    return [
+        replace(each, look=look, is_behind=look.is_this_lab and 2 * look.written < most)
+        for each, look in zip(likely, found, strict=True)
+    ]
+
+
+def _without_modules(candidates: Sequence[Candidate]) -> list[Candidate]:
+    """The candidates without Python files that lie elsewhere and no higher than a notebook of the lab.
+
+    A whole tree that is handed in holds the project's own `impulse.py`, and perhaps an untouched notebook.
+    """
+    notebooks = [each for each in candidates if not is_called_python(each.file.name) and each.look.is_this_lab]
+    return [
+        each
+        for each in candidates
+        if not (notebooks and is_called_python(each.file.name))
+        or any(_is_beside(each, other) or len(each.file.path.parts) < len(other.file.path.parts) for other in notebooks)
+    ]
+
+
+def _nobody_can_tell(best: Candidate, other: Candidate) -> bool:
+    """Whether another file, with another name, is as likely to be meant as the best one, which no name speaks for."""
+    if other.file.path.name.lower() == best.file.path.name.lower():
+        return False
+    if best.look.is_this_lab:
+        return other.rank == best.rank and other.entry.owner.number == best.entry.owner.number
+    return other.name_rank == best.name_rank
+
+
+def _may_be_meant(other: Candidate, best: Candidate) -> bool:
+    """Whether a person should know of another file: the best one is doubtful, or the other one may be this lab's."""
+    named, doubtful = not other.is_anything, not best.look.is_this_lab
+    if other.rank == best.rank or (named and other.name_rank == best.name_rank):
+        return True
+    if other.look.is_this_lab and (not best.look.written or other.name_rank < best.name_rank):
+        return True
+    return _is_beside(other, best) and (other.look.is_this_lab or named or doubtful)
 
 
 def _is_proper(file: DeliveredFile) -> bool:
@@ -106,7 +175,7 @@ def _starts_like_one(file: DeliveredFile) -> bool:
         return False
 
 
-def _rank(file: DeliveredFile, lab: str, student: str) -> tuple[int, bool, bool]:
+def _name_rank(file: DeliveredFile, lab: str, student: str) -> tuple[int, bool, bool]:
     path = PurePosixPath(file.name.lower())
     stem = path.stem if _is_proper(file) else path.name.removesuffix("".join(path.suffixes))
     if stem == lab:
@@ -118,7 +187,6 @@ def _rank(file: DeliveredFile, lab: str, student: str) -> tuple[int, bool, bool]
     return rank + (rank != _ANY and is_called_python(file.name)), not _is_proper(file), bool(file.shut)
 
 
-def _is_beside(other: Candidate, best: Candidate) -> bool:
-    """Whether another file with such a name lies beside the best one, or came in another entry."""
-    elsewhere = other.entry.path != best.entry.path
-    return not other.is_anything and (elsewhere or other.file.path.parent == best.file.path.parent)
+def _is_beside(other: Candidate, one: Candidate) -> bool:
+    """Whether a file lies in the folder of another one, or came in another entry."""
+    return other.entry.path != one.entry.path or other.file.path.parent == one.file.path.parent

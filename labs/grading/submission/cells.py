@@ -12,7 +12,7 @@ import re
 import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any, Literal
 
 from labs.grading.errors import UnreadableSubmission
@@ -73,9 +73,15 @@ def place(cell: int | None, line: int | None) -> str:
 def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
     """The file's cells, those of text as well; raises `UnreadableSubmission` if it has no code that can be read."""
     raw, size = bytes_of(path)
-    text, complaints = _text(raw)
+    cells, complaints = cells_of(raw, path)
     if size > FILE_LIMIT:
         complaints.append(Complaint(f"it has {size / 2**20:.0f} MB, and its outputs are not read: clear them"))
+    return cells, complaints
+
+
+def cells_of(raw: bytes, path: PurePath) -> tuple[list[Cell], list[Complaint]]:
+    """The same for a file's bytes. path: of which the name counts."""
+    text, complaints = _text(raw)
     suffix = path.suffix.lower()
     braced = text.lstrip().startswith("{")
     notebook = braced and ('"cells"' in text or '"worksheets"' in text)

@@ -17,7 +17,7 @@ from labs.gradebook.class_list import read_class, tasks
 from labs.gradebook.class_run import Failures
 from labs.gradebook.layouts import PLAIN, Owner
 
-NOTEBOOK = notebook("x = 1\n")
+NOTEBOOK = notebook("def normal_velocity(n, u):\n    return n @ u\n")
 
 
 def put(folder: Path, *names: str, content: bytes = NOTEBOOK) -> None:

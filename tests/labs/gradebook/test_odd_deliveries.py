@@ -19,7 +19,8 @@ from labs.gradebook.layouts import CANVAS, MOODLE, PLAIN, Owner, owner_of
 from labs.gradebook.roster import Roster, Student
 from reference.errors import InvalidInput
 
-NOTEBOOK = notebook("x = 1\n")
+PLOTS = notebook("x = 1\n")
+NOTEBOOK = notebook("def normal_velocity(n, u):\n    return n @ u\n")
 ADA = Owner(PLAIN, "ada")
 
 
@@ -67,8 +68,9 @@ def test_canvas_names_say_whose_a_file_is_also_without_names_and_of_texts():
 )
 def test_all_files_of_a_canvas_submission_are_one_and_the_one_of_the_lab_is_graded(tmp_path, names, graded, doubt):
     entries = [f"lovelaceada_7_{100 + place}_{name}" for place, name in enumerate(names)]
-    for entry in entries:
-        put(tmp_path, entry, content=b"%PDF-1.4\n" if entry.endswith(".pdf") else NOTEBOOK)
+    for entry, name in zip(entries, names, strict=True):
+        about = NOTEBOOK if any(each in name.lower() for each in ("impulse", "homework", "week")) else PLOTS
+        put(tmp_path, entry, content=b"%PDF-1.4\n" if entry.endswith(".pdf") else about)
     found = one(tmp_path)
     assert found.entry == entries[graded]
     assert bool(found.notes) == doubt
@@ -76,19 +78,21 @@ def test_all_files_of_a_canvas_submission_are_one_and_the_one_of_the_lab_is_grad
 
 
 def test_files_of_which_nobody_can_say_which_is_the_labs_are_named_and_not_guessed(tmp_path):
-    put(tmp_path, "a_7_100_one.ipynb", "a_7_101_two.ipynb", "bob/one.ipynb", "bob/two.py", "b_8_3_archive.zip")
+    put(tmp_path, "a_7_100_one.ipynb", "a_7_101_two.ipynb", "b_8_3_archive.zip", content=PLOTS)
+    put(tmp_path, "bob/one.ipynb", "bob/two.ipynb")
     there, missing = arrivals(tmp_path, "impulse")
     assert there == []
     assert [each.why for each in missing] == [
-        "it holds a_7_100_one.ipynb and a_7_101_two.ipynb, and none is named impulse",
+        "it holds a_7_101_two.ipynb and a_7_100_one.ipynb, and none is named impulse",
         "it cannot be opened: File is not a zip file",
-        "it holds one.ipynb and two.py, and none is named impulse",
+        "it holds one.ipynb and two.ipynb, and none is named impulse",
     ]
 
 
 def test_several_entries_of_a_plain_or_moodle_student_are_one_submission(tmp_path):
     put(tmp_path, "ada.ipynb", "ada/impulse.ipynb", "bob.py", "bob.ipynb")
-    put(tmp_path, "Eve_4_assignsubmission_file_impulse.ipynb", "Eve_4_assignsubmission_file_plots.py")
+    put(tmp_path, "Eve_4_assignsubmission_file_impulse.ipynb")
+    put(tmp_path, "Eve_4_assignsubmission_file_plots.py", content=b"x = 1\n")
     put(tmp_path, "Eve_4_assignsubmission_onlinetext_onlinetext.html", content=b"<p>done</p>")
     put(tmp_path, "Kim_5_assignsubmission_onlinetext_/onlinetext.html", content=b"<p>done</p>")
     there, missing = arrivals(tmp_path, "impulse")
@@ -265,9 +269,8 @@ def test_doubts_get_a_line_for_a_person(tmp_path):
 def test_blackboard_and_brightspace_say_who_and_when_and_the_last_attempt_is_graded(tmp_path):
     put(tmp_path, "Lab 5_ada_attempt_2026-11-29-22-10-00_impulse.ipynb")
     put(tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00_impulse.ipynb")
-    put(
-        tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00_plots.py", "Lab 5_b_o_b_attempt_2026-11-30-08-10-00_impulse.py"
-    )
+    put(tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00_plots.py", content=b"x = 1\n")
+    put(tmp_path, "Lab 5_b_o_b_attempt_2026-11-30-08-10-00_impulse.py")
     put(tmp_path, "Lab 5_ada_attempt_2026-11-30-08-10-00.txt", content=b"Name: Ada Lovelace (ada)\n")
     put(tmp_path, "397063-25 - Mary-Ann Smith - Nov 30, 2026 926 PM/impulse.ipynb")
     put(tmp_path, "397063-25 - Mary-Ann Smith - Nov 30, 2026 1201 AM/impulse.ipynb")
