@@ -25,6 +25,11 @@ IN_NUMBERS = "write the input in numbers, in lists or tuples where it has severa
 """What an input has to be that a mark can count."""
 NOT_WRITTEN = f"a mark counts what the text of the cell says, and this input is not found there: {IN_NUMBERS}"
 """What a student reads whose cell computes the input, or calls in a way that no reader of the text can follow."""
+MANY = (
+    f"You have tried at least {TRIES} inputs. A mark tries the last {TRIES} different ones in the notebook: delete"
+    " those that expose nothing."
+)
+"""What a student reads who has tried so many that an early one may not count."""
 _NODES = 10 * MOST
 """The most parts in the syntax of a call: a negative number in a list of its own has five."""
 

@@ -52,11 +52,14 @@ class Questions:
             _say(f"Write {suspect.function} first: your colleague's is compared with it.")
             return
         cells = student_code.executed_cells()
-        if cells and list(arguments) not in written_inputs.inputs_in(cells).get(key, []):
+        written = written_inputs.inputs_in(cells).get(key, [])
+        if cells and list(arguments) not in written:
             raise InvalidInput(written_inputs.NOT_WRITTEN)
         found = exposures.tried(suspect, arguments, yours)
         exposed = "✓ Exposed" if found.exposed else "✗ Not exposed"
         _say(f"{exposed}, if your {suspect.function} is right. {found.said}.")
+        if len(written) == written_inputs.TRIES:
+            _say(written_inputs.MANY)
 
     @errors_in_words
     def mended(self, key: str, program: Callable[..., object], /) -> None:

@@ -11,7 +11,7 @@ from cells import said, write_notebook
 from suspects_tried import EXPOSING, HARMLESS, TETRAHEDRON
 
 from labs.assessment import exposures
-from labs.assessment.written_inputs import TRIES, inputs_in
+from labs.assessment.written_inputs import MANY, TRIES, inputs_in
 from labs.building import lessons
 from labs.desk import student_code
 from labs.grading.submission.asked_predictions import predictions_in, predictions_of
@@ -203,3 +203,16 @@ def test_of_many_inputs_the_last_ones_are_tried_each_once():
     found = inputs_in(cells)["hail"]
     assert len(found) == TRIES
     assert found[-2:] == [[99, 2, -9], [0, 2, -9]]
+
+
+@pytest.mark.parametrize("others", [0, TRIES - 2, TRIES - 1, 3 * TRIES])
+def test_who_has_tried_so_many_inputs_that_an_early_one_may_not_count_is_told(lab, cells, capsys, monkeypatch, others):
+    lab.topic = "detection"
+    monkeypatch.setattr(student_code, "defined_now", right)
+    cells[:] = [
+        *(f'lab.expose("hail", {each}, 2, -9)' for each in range(others)),
+        'lab.expose("hail", 0.5, 2.0, -10.0)',
+    ]
+    told = " ".join(said(capsys, lab.expose, "hail", 0.5, 2.0, -10.0).split())
+    assert "✓ Exposed" in told
+    assert (MANY in told) == (others >= TRIES - 1)
