@@ -4,7 +4,7 @@
 |---|---|
 | Canvas' gradebook | `Student`, or `LastName` and `FirstName`; `ID`, `SIS User ID`, `SIS Login ID` |
 | Moodle's grading worksheet | `Identifier` (`Participant 4711`), `Full name`, `Email address`, `ID number` |
-| plain | `student_id`, and `name` or `first_name` and `last_name`, and `email` if there are such |
+| plain | `student_id` or `Matrikelnummer`, and `name` or first and last name, and `email` if there are such |
 | Gradescope, Brightspace, Blackboard | as a plain one: `SID`, `OrgDefinedId`, `Student ID` or `Username` |
 
 Moodle's columns are found in every language of `moodle.toml`; two of them say when a submission came.
@@ -30,10 +30,11 @@ _NO_STUDENT = (POINTS_POSSIBLE, "student, test")
 """In Canvas' file: a line of the points, and a student who exists for trying."""
 _CANVAS = (("Student", "ID"), ("LastName", "FirstName", "ID"))
 """What Canvas' gradebook has at least; an instructor may choose to have the names in two columns."""
-_OWN = ("student_id", "student id", "sid", "orgdefinedid", "username")
+_OWN = ("student_id", "student id", "sid", "orgdefinedid", "username", "matrikelnummer", "matrikelnr", "matrikelnr.")
 """What a table may call a student's number, the best first."""
 _SHORTENED = re.compile(r"[1-9](?:[.,]\d+)?E\+\d+", re.IGNORECASE)
-_OTHERS = ("name", "full name", "first_name", "first name", "last_name", "last name", "email")
+_FIRST, _LAST = ("first_name", "first name", "vorname"), ("last_name", "last name", "nachname")
+_OTHERS = ("name", "full name", *_FIRST, *_LAST, "email")
 
 
 @dataclass(frozen=True)
@@ -188,7 +189,7 @@ def _of_moodle(row: Row, columns: Mapping[str, str], words: moodle.Words) -> Stu
 
 def _of_ours(row: Row) -> Student:
     """A student of a table that is no platform's gradebook. Brightspace writes `#` before numbers and logins."""
-    first, last = (row[f"{each}_name"] or row[f"{each} name"] for each in ("first", "last"))
+    first, last = (next((row[each] for each in columns if row[each]), "") for columns in (_FIRST, _LAST))
     name = row["name"] or row["full name"] or _last_first(last, first)
     numbers = [row[column].removeprefix("#") for column in _OWN]
     others = {
