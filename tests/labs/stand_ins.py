@@ -22,6 +22,7 @@ class Scripted:
     """In place of a test's process: says what it is told to, whatever it is asked."""
 
     number = 0
+    most = max(Tier)
 
     def __init__(self, *said: object) -> None:
         self._said = list(said)

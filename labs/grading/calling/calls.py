@@ -41,6 +41,7 @@ from reference.errors import InvalidInput, NeedsFunction
 
 LOADING = "the submission, on loading,"
 """Stands for a function's name while the text is run."""
+_TIERS = frozenset(Tier)
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 120.0  # s on the clock for the process itself, before it has seen the submission; it needs some 0.01 s
 
@@ -94,21 +95,26 @@ class Call:
         if unloadable is None:
             if self._process is None:
                 self.start(host)
-            self._seal(least)
+            self._seal(least, host.most)
             try:
                 self._load()
             except StudentError as error:
                 return error
         return unloadable
 
-    def _seal(self, least: Tier) -> None:
-        """Read how far the process is shut in; it reports this before it runs any of the text."""
+    def _seal(self, least: Tier, most: Tier) -> None:
+        """Read how far the process is shut in; it reports this before it runs any of the text.
+
+        most: the tier that we have arranged. A process that claims more runs code that somebody has changed.
+        """
         assert self._process is not None
         with self._starting():
             match messages.unpack(self._process.exchange(b"", _STARTING)):
-                case ("sealed", int(tier), list(missing), list(lacking), int(process), float(before)):
+                case ("sealed", int(tier), list(missing), list(lacking), int(process), float(before)) if tier in _TIERS:
                     self._process.measure(process, before)
-                    self.sealing = Sealing(Tier(tier), tuple(missing), tuple(lacking))
+                    if tier > most:
+                        missing.append(f"its process claims {Tier(tier).title!r}, which this machine cannot provide")
+                    self.sealing = Sealing(min(Tier(tier), most), tuple(missing), tuple(lacking))
                 case _:
                     raise messages.Refused("it does not say how far it is shut in")
         if self.sealing.tier < least:

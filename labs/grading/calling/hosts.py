@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import shutil
 import signal
 import socket
 import subprocess
@@ -19,9 +18,10 @@ import tempfile
 import threading
 import weakref
 from collections import deque
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import asdict
 from pathlib import Path
+from typing import IO
 
 if sys.platform == "linux":
     import fcntl
@@ -29,8 +29,10 @@ if sys.platform == "linux":
 from labs.grading.calling import worker_files
 from labs.grading.calling.processes import LOST, Ended, Limits, Process
 from labs.grading.errors import GraderFailed
-from labs.grading.worker import system_calls
-from labs.grading.worker.sandbox import Plan
+from labs.grading.worker import landlock, seccomp, system_calls
+from labs.grading.worker.folders import remove
+from labs.grading.worker.sandbox import Plan, reached
+from labs.grading.worker.tier import Tier
 
 MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
 """The measures of the sandbox that can be left out, to see what the others are worth."""
@@ -52,11 +54,12 @@ class NurseryHost:
         self._lock = threading.Lock()
         self._started = 0  # processes so far, in all nurseries; each has its own number
         self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not reported that yet
-        self._folder = tempfile.mkdtemp(prefix="grading-")
-        self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
+        self._clear: Callable[[], object] = lambda: None
+        calls = "seccomp" not in without and seccomp.available()
+        files = "landlock" not in without and landlock.version() > 0
+        self.most = reached("limits" not in without, files or calls, calls)
         _hide(self)
         try:
-            worker_files.lay_out(Path(self._folder, worker_files.CODE))
             self._open()
         except BaseException:
             self._clear()
@@ -64,6 +67,10 @@ class NurseryHost:
             raise
 
     def _open(self) -> None:
+        """Start a nursery with code of its own: without the sandbox, tests may have changed that of the one before."""
+        self._folder = tempfile.mkdtemp(prefix="grading-")
+        self._clear = weakref.finalize(self, remove, self._folder)
+        worker_files.lay_out(Path(self._folder, worker_files.CODE))
         self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
@@ -71,10 +78,11 @@ class NurseryHost:
         command = [worker_files.interpreter(), *worker_files.OPTIONS, start, str(theirs.fileno())]
         self._control.send(worker_files.PACKAGES.encode())
         self._control.send(json.dumps([self._without, self._user]).encode())
-        with theirs, open(Path(self._folder, "log"), "wb") as log, _started(self._control):
+        self._said = tempfile.TemporaryFile()  # noqa: SIM115 - without a name, so that no test can replace it
+        with theirs, _started(self._control, self._said):
             self._process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
-                env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._said,
+                pass_fds=[theirs.fileno()], env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
             )  # fmt: skip
 
     def start(self, limits: Limits) -> Process:
@@ -144,7 +152,6 @@ class NurseryHost:
         """Stop the nursery and what is left of its tests."""
         with self._lock:
             self._stop()
-            self._clear()
             _show(self)
 
     def _ask(self, request: dict[str, object], descriptors: list[int]) -> None:
@@ -166,7 +173,7 @@ class NurseryHost:
             process.outcome = Ended(code, said["seconds"], said["memory"], said["strays"])
 
     def _log(self) -> str:
-        log = Path(self._folder, "log").read_text(encoding="utf-8", errors="replace")
+        log = os.pread(self._said.fileno(), 2**16, 0).decode(errors="replace")
         return log.strip()[-300:] or "it has ended"
 
     def _stop(self) -> None:
@@ -178,22 +185,40 @@ class NurseryHost:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
+        self._said.close()
+        self._clear()
 
 
 class LoneHost:
-    """Starts a fresh interpreter for each test, on systems without a sandbox, each in an empty folder of its own."""
+    """Starts a fresh interpreter for each test, on systems without a sandbox, each in an empty folder of its own.
+
+    Nothing keeps a submission from the code that it runs. So the code is copied again for each submission: whenever a
+    process is to be started and no other runs.
+    """
+
+    most = Tier.PROCESS
 
     def __init__(self) -> None:
-        self._folder = worker_files.own_folder()
-        self._clear = weakref.finalize(self, worker_files.remove, self._folder)
-        copied = worker_files.lay_out_with_numpy(self._folder / worker_files.CODE)
-        code, numpy = os.path.join("..", worker_files.CODE), "" if copied else f", {worker_files.PACKAGES!r}"
-        self._command = [worker_files.interpreter(), *worker_files.OPTIONS, _START.format("lone_process", code, numpy)]
+        self._clear: Callable[[], object] = lambda: None
         self._running: dict[int, tuple[subprocess.Popen[bytes], str]] = {}
         _hide(self)
 
+    def _lay_out(self) -> None:
+        self._clear()
+        self._folder = worker_files.own_folder()
+        self._clear = weakref.finalize(self, remove, self._folder)
+        copied = worker_files.lay_out_with_numpy(self._folder / worker_files.CODE)
+        code, numpy = os.path.join("..", worker_files.CODE), "" if copied else f", {worker_files.PACKAGES!r}"
+        self._command = [worker_files.interpreter(), *worker_files.OPTIONS, _START.format("lone_process", code, numpy)]
+
     def start(self, limits: Limits) -> Process:
-        """Start an interpreter."""
+        """Start an interpreter; raises `GraderFailed` if that is impossible."""
+        with _started():
+            return self._start()
+
+    def _start(self) -> Process:
+        if not self._running:
+            self._lay_out()
         place = tempfile.mkdtemp(dir=self._folder)
         kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
         running = subprocess.Popen(
@@ -226,7 +251,7 @@ class LoneHost:
                 os.killpg(running.pid, signal.SIGKILL)
             running.kill()
         code = running.wait()
-        shutil.rmtree(place, ignore_errors=True)
+        remove(place)
         return code
 
     def close(self) -> None:
@@ -238,12 +263,13 @@ class LoneHost:
 
 
 @contextlib.contextmanager
-def _started(control: socket.socket) -> Iterator[None]:
-    """Turn an interpreter that cannot be started into an error of the grader. control: to be closed in that case."""
+def _started(*opened: socket.socket | IO[bytes]) -> Iterator[None]:
+    """Turn an interpreter that cannot be started into an error of the grader. opened: to be closed in that case."""
     try:
         yield
     except OSError as error:
-        control.close()
+        for each in opened:
+            each.close()
         raise GraderFailed(
             f"the grader cannot start Python ({worker_files.interpreter()}): {error.strerror or error}"
         ) from None

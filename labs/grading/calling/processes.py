@@ -19,6 +19,7 @@ from typing import Protocol
 from labs.grading.budget import SECONDS
 from labs.grading.calling.own_time import Deadline, OwnTime, meter
 from labs.grading.worker import messages
+from labs.grading.worker.tier import Tier
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,12 @@ LOST = Ended(-9)
 
 
 class Host(Protocol):
-    """Starts processes for tests and ends them."""
+    """Starts processes for tests and ends them.
+
+    most: the tier that its processes can reach at most, whatever they say of themselves.
+    """
+
+    most: Tier
 
     def start(self, limits: Limits) -> Process: ...  # noqa: D102
     def end(self, process: Process) -> None: ...  # noqa: D102

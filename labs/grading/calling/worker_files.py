@@ -3,6 +3,7 @@
 Threat: where files are not sealed, a submission that knows where the lab lies imports the solutions and reads hidden
 tests. So the worker begins in a folder beside copies, and neither its arguments nor its environment,
 modules, frames or tracebacks name another place. A submission can still search the disk: this hides, and seals nothing.
+A submission can also change the copies, so each submission gets copies of its own.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import labs.grading.worker
+from labs.grading.worker.folders import remove
 from labs.project_folders import AUTOGRADER, ROOT
 
 OPTIONS = ("-I", "-S", "-B", "-X", "utf8", "-c")
@@ -26,7 +28,7 @@ OPTIONS = ("-I", "-S", "-B", "-X", "utf8", "-c")
 PACKAGES = str(Path(np.__file__).parents[1])
 """Where NumPy lies."""
 CODE = "code"
-"""The name of the folder with the copies. No submission runs in it: what it writes there would be the next one's."""
+"""The name of the folder with the copies. No submission runs in it, so that none of its files is taken for a module."""
 _PREFIX = "grading-apart-"
 _PACKAGE = Path(*labs.grading.worker.__name__.split("."))
 _NUMPY = Path(np.__file__).parent
@@ -48,7 +50,7 @@ def is_anything_to_hide() -> bool:
 
 
 def lay_out_with_numpy(folder: Path) -> bool:
-    """Copy NumPy as well, whose place may tell where the lab is installed, for the many interpreters that begin there.
+    """Copy NumPy as well, whose place may tell where the lab is installed, for the interpreters of one submission.
 
     Returns False without a copy where nothing is to be hidden, or where a copy does not work: some builds of NumPy need
     libraries near their own place.
@@ -67,9 +69,7 @@ def lay_out_with_numpy(folder: Path) -> bool:
     ]
     works = subprocess.run(command, cwd=folder, capture_output=True).returncode == 0
     for each in () if works else (_NUMPY, *beside):
-        shutil.rmtree(folder / each.name)
-    for path in (folder, *folder.rglob("*")):
-        path.chmod(path.stat().st_mode & ~0o222)  # so that no submission changes by accident what the next one gets
+        remove(folder / each.name)
     return works
 
 
@@ -93,15 +93,6 @@ def own_folder() -> Path:
             if ours and not _is_alive(other.name.removeprefix(_PREFIX).partition("-")[0]):
                 remove(other)
     return made
-
-
-def remove(folder: Path) -> None:
-    """Remove such a folder, whose code nobody may write."""
-    for path in (folder, *folder.rglob("*")):
-        if not path.is_symlink():
-            with contextlib.suppress(OSError):
-                path.chmod(0o700)
-    shutil.rmtree(folder, ignore_errors=True)
 
 
 def _is_alive(number: str) -> bool:

@@ -16,7 +16,6 @@ import contextlib
 import gc
 import json
 import os
-import shutil
 import signal
 import socket
 import sys
@@ -26,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.worker import landlock, preloading, sandbox, seccomp, serving, system_calls
+from labs.grading.worker.folders import remove
 
 _PATIENCE = 5.0  # s for the processes of a test to be gone
 
@@ -44,7 +44,7 @@ def main() -> None:
     gc.collect()
     gc.freeze()  # memory that is shared with the tests' processes stays shared
     Nursery(control, rules, held, offline).run()
-    shutil.rmtree(os.getcwd(), ignore_errors=True)  # the grader does so, unless it was killed
+    remove(os.getcwd())  # the grader does so, unless it was killed
 
 
 def _reach_modules(user: int, becomes: bool, landlocked: bool) -> list[int]:
@@ -135,7 +135,7 @@ class Nursery:
                 kill(process, signal.SIGKILL)
         _, status, used = os.wait4(process, 0)
         strays = self._kill_strays()
-        shutil.rmtree(folder, ignore_errors=True)
+        remove(folder)
         seconds = used.ru_utime + used.ru_stime
         return {"status": status, "seconds": seconds, "memory": used.ru_maxrss * 1024, "strays": strays}
 

@@ -95,10 +95,11 @@ def seal(plan: Plan, rules: int | None, offline: bool, parent: int) -> Sealing:
         missing.append("other processes of its user, and sockets that lie in files, are within its reach")
     if not (calls or offline):
         missing.append("so is the network")
-    return Sealing(_reached(limited, paths or calls, calls), tuple(missing))
+    return Sealing(reached(limited, paths or calls, calls), tuple(missing))
 
 
-def _reached(limited: bool, files: bool, network: bool) -> Tier:
+def reached(limited: bool, files: bool, network: bool) -> Tier:
+    """The tier of a process that has certain measures."""
     if not limited:
         return Tier.PROCESS
     return Tier.LIMITS if not files else Tier.NETWORK if network else Tier.FILES

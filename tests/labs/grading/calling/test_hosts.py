@@ -25,6 +25,7 @@ from labs.grading.errors import (
 )
 from labs.grading.submission.reading import Submission
 from labs.grading.worker import landlock, seccomp
+from labs.grading.worker.folders import remove
 from labs.grading.worker.tier import Tier
 from labs.project_folders import ROOT
 
@@ -137,7 +138,7 @@ def test_the_copies_of_a_grader_that_was_killed_are_removed(monkeypatch, tmp_pat
         (each / "code").chmod(0o500)
     made = worker_files.own_folder()
     assert sorted(tmp_path.iterdir()) == sorted([made, used, other])
-    worker_files.remove(used)
+    remove(used)
     assert not used.exists()
 
 
