@@ -112,7 +112,7 @@ def test_a_process_of_a_test_is_not_told_where_the_lab_is(options):
         assert not [each for each in places if str(ROOT) in each]
 
 
-def test_without_a_sandbox_a_file_that_a_submission_leaves_is_in_nobody_elses_way():
+def test_without_a_sandbox_a_file_that_a_test_leaves_is_not_in_the_way_of_the_next():
     text = """
     import os
     def f():
@@ -121,9 +121,10 @@ def test_without_a_sandbox_a_file_that_a_submission_leaves_is_in_nobody_elses_wa
                 file.write("raise SystemExit")
         return sorted(os.listdir())
     """
-    with Grader(PATIENT, sandboxed=False) as lesser:
+    submission = Submission("lab.py", textwrap.dedent(text))
+    with Grader(PATIENT, sandboxed=False) as lesser, Remote(submission, lesser) as remote:
         for _ in range(2):
-            with Remote(Submission("lab.py", textwrap.dedent(text)), lesser) as remote, remote.fresh() as call:
+            with remote.fresh() as call:
                 assert call("f") == ["ast.py", "json.py", "labs.py", "numpy.py"]
 
 
