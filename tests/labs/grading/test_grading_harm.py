@@ -43,7 +43,7 @@ def within(seconds: float) -> contextlib.AbstractContextManager[None]:
 class Said:
     """In place of a test's process: says what it is told to, and notes what was sent to it."""
 
-    number, ended, gone, spent = 0, Ended(0), False, 0.0
+    number, ended, gone, spent, most = 0, Ended(0), False, 0.0, max(Tier)
 
     def __init__(self, *said: object) -> None:
         self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, [], [], 0, 0.0), *said)]
