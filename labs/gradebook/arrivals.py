@@ -108,7 +108,7 @@ def _is_nobodys(path: Path) -> bool:
 
 def arrival(path: Path, owner: Owner, lab: str) -> Arrival | Missing:
     """The file of an entry that is graded, or why there is none."""
-    return _submission_or_why([Entry(path, owner)], lab)
+    return _submission([Entry(path, owner)], lab)
 
 
 def arrival_with_content(path: Path, owner: Owner, lab: str) -> tuple[Arrival, bytes] | Missing:
@@ -184,6 +184,8 @@ def _submission_or_why(entries: Sequence[Entry], lab: str) -> Arrival | Missing:
     """What one student handed in. An error that nobody expects is the fault of no other submission."""
     try:
         return _submission(entries, lab)
+    except InvalidInput:  # there is no such lab
+        raise
     except Exception as error:
         why = f"it cannot be looked at: {cause_of(error)}"
         return Missing(entries[0].owner, entries[0].name, why, unreadable_here=True)

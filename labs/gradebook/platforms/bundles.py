@@ -40,7 +40,7 @@ _AT_THE_ROOT = ("constraints.txt", "LICENSE")
 _LEFT_OUT = ("solutions/notebooks/", "labs/notebooks/", "labs/figures/", "labs/given/")
 _MODULES = ("classroom50", "lines", "running", "shapes", "text", "__init__")
 """What Classroom 50 needs of this folder, besides the tree that students get."""
-_READERS = ("__init__", "arrivals", "chosen_file", "delivered_files", "layouts", "sheets", "times")
+_READERS = ("__init__", "arrivals", "chosen_file", "delivered_files", "layouts", "sheets", "subject", "times")
 _MOST = 10 * 2**20
 """Bytes that Classroom 50 takes, packed."""
 _SECONDS = 180

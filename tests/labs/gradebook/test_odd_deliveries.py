@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from submissions import notebook
 
-from labs.gradebook import delivered_files
+from labs.gradebook import chosen_file, delivered_files
 from labs.gradebook.arrivals import Arrival, arrivals, content_of
 from labs.gradebook.class_list import Class, read_class, tasks
 from labs.gradebook.class_run import Failures
@@ -228,6 +228,22 @@ def test_an_error_that_nobody_expects_belongs_to_its_entry(tmp_path, monkeypatch
     monkeypatch.setattr(delivered_files, "_list_archive", broken)
     (bob,), (ada,) = arrivals(tmp_path, "impulse")
     assert (bob.entry, ada.why) == ("bob.ipynb", "it cannot be opened: AssertionError: not even this")
+
+
+def test_an_error_at_a_look_leaves_one_submission_without_a_score_and_an_unknown_lab_is_refused(tmp_path, monkeypatch):
+    put(tmp_path, "ada.ipynb", "bob.ipynb")
+    with pytest.raises(InvalidInput, match="impulses"):
+        arrivals(tmp_path, "impulses")
+    looks = chosen_file.looks
+
+    def broken_once(files, lab):
+        assert files[0].name != "ada.ipynb", "not even this"
+        return looks(files, lab)
+
+    monkeypatch.setattr(chosen_file, "looks", broken_once)
+    (bob,), (ada,) = arrivals(tmp_path, "impulse")
+    assert (bob.entry, ada.entry, ada.unreadable_here) == ("bob.ipynb", "ada.ipynb", True)
+    assert ada.why.startswith("it cannot be looked at: AssertionError: not even this")
 
 
 def test_a_submission_under_a_groups_name_is_named(tmp_path):
