@@ -68,7 +68,7 @@ def handed_in(folder: Path, content: bytes | str, name: str = "lab.ipynb") -> Su
 
 def defined(submission: Submission) -> dict:
     """The names that a submission has when its text was run."""
-    names: dict = {}
+    names: dict = {"__name__": "__main__"}
     exec(submission.text, names)
     return names
 

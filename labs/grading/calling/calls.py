@@ -42,6 +42,7 @@ from reference.errors import InvalidInput, NeedsFunction
 LOADING = "the submission, on loading,"
 """Stands for a function's name while the text is run."""
 _TIERS = frozenset(Tier)
+_MOST_FAILED = 20  # so many statements that failed on loading are named
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 120.0  # s on the clock for the process itself, before it has seen the submission; it needs some 0.01 s
 
@@ -143,6 +144,10 @@ class Call:
         for _ in range(MOST_TOLD + 1):
             match self._exchange(LOADING, b""):
                 case (str(kind), line) if kind == "begins" and (line is None or is_line(line)):
+            with self._patience.counted_for(self.reached, LOADING):
+                said = self._exchange(LOADING, b"")
+            match said:
+                case (str(kind), line) if kind == "begins" and is_line(line):
                     self.reached = line
                 case (str(), list(names), list(failures), list(inner)):
                     self._names = frozenset(name for name in names if isinstance(name, str))
@@ -233,13 +238,14 @@ class Call:
         return value
 
     def failed_within(self) -> list[Complaint]:
-        """The statements in loops and branches that failed on loading; those after them were run all the same."""
+        """The statements that failed and may have filled a table; those after them were run all the same."""
+        told = {failure[3]: failure for failure in reversed(self._failures.every)}
         return [
             Complaint(
                 f"{self._submission.where(line)}: this statement failed on loading: {self._said(kind, text, None)}"
             )
-            for _, kind, text, line in self._failures.inner
-            if line
+            for names, kind, text, line in list(reversed(told.values()))[:_MOST_FAILED]
+            if line and (not names or self._submission.is_compound(line))
         ]
 
     def defines(self, name: str) -> bool:

@@ -20,16 +20,18 @@ _NAMED = 200  # characters at the start of a NameError's message that contain th
 class Failures:
     """The statements that failed. said: entries as the worker sends them; odd ones are left out.
 
-    within: entries for statements in loops and branches, which went on. inner: those of them that are well formed.
+    within: entries for statements in loops and branches, which went on. every: all that are well formed.
     """
 
     def __init__(self, said: Iterable[Any] = (), within: Iterable[Any] = ()) -> None:
         self._by_name: dict[str, Failure] = {}  # "" is every name
-        self.inner = tuple(failure for failure in within if _is_failure(failure))
-        for failure in (failure for failure in said if _is_failure(failure)):
-            for name in failure[0] or [""]:
+        inner = [failure for failure in within if _is_failure(failure)]
+        outer = [failure for failure in said if _is_failure(failure)]
+        self.every = (*inner, *outer)
+        for failure in outer:
+            for name in failure[0]:
                 self._by_name.setdefault(name, failure)
-        for failure in self.inner:
+        for failure in inner:
             for name in failure[0]:
                 self._by_name.setdefault(name, failure)
 

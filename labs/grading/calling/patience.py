@@ -8,8 +8,9 @@ for the others. So functions that call a slow one share what one function may us
 
 from __future__ import annotations
 
+import contextlib
 from collections import Counter, defaultdict
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 
 from labs.grading.budget import Budget
@@ -33,6 +34,7 @@ class Patience:
     budget: what it has in all. uses: which functions of the submission one of them calls itself. timeouts: how often
     each function ran out of the time for a call. It is called again, because one slow call says little about the next,
     but we wait less long for it. spent: s that the calls of each function have taken together. calls: how many.
+    lines: s that statements have taken on loading in all processes together, by their line.
     """
 
     budget: Budget
@@ -40,6 +42,7 @@ class Patience:
     timeouts: Counter[str] = field(default_factory=Counter)
     spent: defaultdict[str, float] = field(default_factory=lambda: defaultdict(float))
     calls: Counter[str] = field(default_factory=Counter)
+    lines: defaultdict[int, float] = field(default_factory=lambda: defaultdict(float))
     _beneath: dict[str, frozenset[str]] = field(default_factory=dict)
 
     def for_call(self, name: str, whole: float) -> float:
@@ -84,7 +87,25 @@ class Patience:
 
     def forget(self, name: str) -> None:
         """Wait as long as at first for what has run out of time before, because it is not the same any more."""
-        del self.timeouts[name]
+        self.timeouts.pop(name, None)
+        self.spent.pop(name, None)
+
+    @contextlib.contextmanager
+    def counted_for(self, line: int | None, name: str) -> Iterator[None]:
+        """Count what is spent on a name for a line as well."""
+        before = self.spent[name]
+        try:
+            yield
+        finally:
+            if line:
+                self.lines[line] += self.spent[name] - before
+
+    def slowest_line(self) -> int | None:
+        """The line of the statement that has taken longest on loading, which is forgotten; None if none is known."""
+        line = max(self.lines, key=self.lines.__getitem__, default=None)
+        if line is not None:
+            del self.lines[line]
+        return line
 
     @property
     def slow(self) -> frozenset[str]:

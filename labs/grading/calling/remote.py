@@ -21,7 +21,7 @@ from labs.grading.calling.compiling import Beginning
 from labs.grading.calling.hosts import LoneHost, NurseryHost
 from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Host, Limits
-from labs.grading.errors import GraderFailed, NotTried, StudentError
+from labs.grading.errors import GraderFailed, NotTried, OutOfTime, StudentError
 from labs.grading.submission.reading import Complaint, Submission
 from labs.grading.worker.tier import Tier
 
@@ -81,7 +81,7 @@ class Remote:
         self._beginning = Beginning(submission.text, self.grader.limits.printed, code=True)
         self._next: Call | None = None
         self.complaints: list[Complaint] = []
-        self._complained = False
+        self._complained, self._left_out = False, 0
 
     @property
     def slow(self) -> frozenset[str]:
@@ -126,10 +126,14 @@ class Remote:
 
     def _can_do_without(self, call: Call, why: StudentError) -> bool:
         """Leave out the statement on which loading ended, if it is known; False if there is nothing to leave out."""
-        text = self.submission.without(self._beginning.text, call.reached)
-        if text is None or isinstance(why, NotTried) or len(self.complaints) == _MOST_LEFT_OUT:
+        if isinstance(why, NotTried) or self._left_out == _MOST_LEFT_OUT:
             return False
-        self.complaints.append(self.submission.left_out(call.reached, str(why).removeprefix(LOADING).strip()))
+        line = (isinstance(why, OutOfTime) and self._patience.slowest_line()) or call.reached
+        text = self.submission.without(self._beginning.text, line)
+        if text is None:
+            return False
+        self._left_out += 1
+        self.complaints.append(self.submission.left_out(line, str(why).removeprefix(LOADING).strip()))
         self._patience.forget(LOADING)
         self._beginning = Beginning(text, self.grader.limits.printed, code=True)
         return True

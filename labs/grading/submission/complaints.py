@@ -12,8 +12,10 @@ from dataclasses import dataclass, replace
 
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import Cell, Complaint, merge_mark, place
+from labs.grading.submission.effects import Effects
 from labs.grading.submission.flow import AT_HAND
 from labs.grading.submission.magics import cell_magic
+from labs.grading.submission.sharing import called_as
 from labs.grading.submission.slicing import looked_up
 from labs.grading.submission.statements import Group, defined_as
 from labs.grading.submission.syntax_errors import explained
@@ -30,6 +32,7 @@ _WHAT = {
 }
 _ALIKE = 0.85  # similarity, at most 1, from which a name is taken for a misspelling of another one
 _LOOKED_AT = 500  # the most names that are compared so
+_ZERO = {"zeros", "empty", "zeros_like", "empty_like", "defaultdict"}
 _DEFINES = re.compile(r"^[^\w\s#'\"]{0,2}def[ \t]+(\w+)", re.MULTILINE | re.IGNORECASE)
 
 
@@ -149,7 +152,7 @@ def not_at_hand(functions: Collection[str], kept: Sequence[Located], pieces: Seq
         used.add("*")
     for piece in kept:
         group, cell = piece.group, piece.cell
-        alone = (package for name, package in group.modules.items() if bindings[name] == 1 and name in used)
+        alone = (path.split(".")[0] for name, path in group.modules.items() if bindings[name] == 1 and name in used)
         absent = {package for package in alone if package and package not in AT_HAND}
         for package in sorted(absent) if not group.is_compound else ():
             text = (
@@ -160,6 +163,56 @@ def not_at_hand(functions: Collection[str], kept: Sequence[Located], pieces: Seq
         if "__file__" in group.uses:
             text = "__file__ is not defined where this is graded, and no other file is there: write its numbers here"
             yield Complaint(text, cell.number, group.first)
+
+
+def not_filled(functions: Collection[str], kept: Sequence[Located], pieces: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints of tables that the functions need and that stay empty, as what fills them cannot be called here.
+
+    kept: the pieces that the functions need, of all pieces of the file.
+    """
+    groups = [piece.group for piece in kept]
+    used, here = looked_up(groups, functions), {id(group) for group in groups}
+    empty = {name: piece for piece in kept for name in piece.group.defines & used if _is_empty(piece.group)}
+    worked_on = {name for group in groups for name in group.uses if not group.functions}
+    worked_on |= {name for group in groups for each in group.functions for name in _worked_on(each.does)}
+    imported = {name: path for piece in pieces for name, path in piece.group.modules.items()}
+    absent = {name for name, path in imported.items() if path.split(".")[0] not in AT_HAND}
+    for piece in pieces:
+        calls = piece.group.does.calls if id(piece.group) not in here else ()
+        given = {
+            name: start
+            for call in calls
+            for start in absent & {call.root, *call.roots}
+            for name in call.given | call.receiver
+        }
+        for name in sorted(given.keys() & empty.keys() - worked_on):
+            table = empty.pop(name)
+            text = (
+                f"this statement was left out, because {one_line(given[name], 80)} is not there where this is graded:"
+                f" {one_line(name, 80)} stays as {place(table.cell.number, table.group.first)} makes it"
+            )
+            yield Complaint(text, piece.cell.number, piece.group.first)
+
+
+def _worked_on(does: Effects) -> Iterator[str]:
+    """Names whose objects a function changes, or whose methods it calls."""
+    yield from does.changes
+    yield from (name for call in does.calls if call.called.startswith(".") for name in call.receiver)
+
+
+def _is_empty(group: Group) -> bool:
+    """Whether statements only bind names to what has nothing in it yet: `{}`, `dict()`, `np.zeros(3)`."""
+    values = [each.value for each in group.statements if isinstance(each, ast.Assign | ast.AnnAssign)]
+    return len(values) == len(group.statements) and all(map(_has_nothing, values))
+
+
+def _has_nothing(value: ast.expr | None) -> bool:
+    match value:
+        case ast.List(elts=[]) | ast.Dict(keys=[]) | ast.Call(args=[], keywords=[]):
+            return True
+        case ast.Call():
+            return called_as(value).removeprefix(".") in _ZERO
+    return False
 
 
 def misspelt(missing: Sequence[str], pieces: Sequence[Located]) -> Iterator[Complaint]:

@@ -30,6 +30,7 @@ from labs.grading.submission.complaints import (
     misplaced,
     misspelt,
     not_at_hand,
+    not_filled,
     unreadable,
     with_its_cost,
 )
@@ -100,6 +101,10 @@ class Submission:
         """The function of the submission that contains a line of the text, if one does."""
         around = (group for group in self._groups if line and group.first <= line <= group.last)
         return next((name for group in around for name in self.functions if name in group.defines), None)
+
+    def is_compound(self, line: int) -> bool:
+        """Whether the statement in a line holds others, as a loop does."""
+        return any(group.is_compound for group in self._groups if group.first <= line <= group.last)
 
     def without(self, text: str, line: int | None) -> str | None:
         """A text of this submission without the statements in a line; None if there are none in it."""
@@ -180,6 +185,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     functions += [name for name in also if name in defined and name not in wanted]
     kept = kept_pieces(pieces, functions)
     complaints.extend(not_at_hand(functions, kept, pieces))
+    complaints.extend(not_filled(functions, kept, pieces))
     text, starts = assembled(cells, sources, kept)
     lost = {each for cell, _ in unread for each in definitions(cell.source)}
     return Submission(

@@ -7,7 +7,7 @@ out, so that they can neither fail nor cost time, while a line number still mean
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from labs.grading.submission.flow import Flow
 from labs.grading.submission.statements import Group
@@ -20,7 +20,8 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
     calls, such as a decorator that fills a table, counts through the statements that call it.
     """
     flow = Flow(every)
-    defining, calling, using = (_places(every, kind) for kind in ("defines", "calls", "uses"))
+    defining, using = _places(group.defines for group in every), _places(group.uses for group in every)
+    calling = _places(map(flow.calls, every))
     changing: dict[str, list[str]] = {}
     for group in every:
         for each in group.functions:
@@ -28,13 +29,13 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
                 changing.setdefault(name, []).append(each.called)
     kept = {at for at, group in enumerate(every) if group.is_dynamic}
     names, functions = list({*wanted, *(name for at in kept for name in every[at].uses)}), list[str]()
-    seen, active = set(names), set[str]()
+    seen, within, active = set(names), set(wanted), set[str]()
     while names or functions:
         if names:
             name = names.pop()
             new = [*defining.get(name, ()), *flow.changers.get(name, ())]
             functions += changing.get(name, ())
-        elif (function := functions.pop()) in active or function in seen:
+        elif (function := functions.pop()) in active or function in within:
             continue
         else:
             active.add(function)
@@ -45,14 +46,15 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
                 kept.add(at)
                 names += every[at].uses - seen
                 seen |= every[at].uses
+                within |= every[at].inner
     return kept
 
 
-def _places(every: Sequence[Group], kind: str) -> dict[str, list[int]]:
-    """The numbers of the groups that have to do with a name in some way."""
+def _places(every: Iterable[Collection[str]]) -> dict[str, list[int]]:
+    """The numbers of the groups that have to do with a name, from the names of each group."""
     found: dict[str, list[int]] = {}
-    for at, group in enumerate(every):
-        for name in getattr(group, kind):
+    for at, names in enumerate(every):
+        for name in names:
             found.setdefault(name, []).append(at)
     return found
 

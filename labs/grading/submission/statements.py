@@ -17,7 +17,8 @@ HUGE = "this number has more than 4300 digits, and Python cannot write it: give 
 _LARGEST, _LONG_NUMBER = 10**4300, 3000  # an int, and the letters of a shorter one in base 16
 _WORD = re.compile(r"\w+")
 _MOST_SCOPES = 200
-_DYNAMIC = {"exec", "globals"}  # they may bind any name
+_DYNAMIC = {"exec", "eval", "globals"}  # they may bind any name
+_SCOPE = {"vars", "locals"}  # so do these without an argument
 _COMPOUND = ast.For | ast.AsyncFor | ast.While | ast.If | ast.With | ast.AsyncWith | ast.Try | ast.TryStar | ast.Match
 _SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
 
@@ -26,9 +27,9 @@ _SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
 class Group:
     """Statements that share lines, and so are kept or left out together. first, last: their lines, from 1.
 
-    kinds: how each name that they bind is bound. modules: the package of each name that they import. uses: names that
+    kinds: how each name that they bind is bound. modules: where each name that they import comes from. uses: names that
     they look up. inner: those that only their functions and classes look up. functions: that they define. does: what
-    they may do to objects. called: functions that they call by name. is_compound: whether they hold other statements,
+    they may do to objects. is_compound: whether they hold other statements,
     as a loop does. is_dynamic: whether they may bind any name.
     """
 
@@ -43,15 +44,6 @@ class Group:
     does: Effects
     is_compound: bool
     is_dynamic: bool
-    called: frozenset[str]
-
-    @functools.cached_property
-    def calls(self) -> frozenset[str]:
-        """The functions that they call at once, with a dot before a method; decorators, and what is called for each."""
-        return self.called.union(
-            (f".{call.name}" for call in self.does.calls if call.receiver is not None),
-            (name for call in self.does.calls if call.for_effect for _, names in call.given for name in names),
-        )
 
     @functools.cached_property
     def constants(self) -> frozenset[str]:
@@ -115,19 +107,22 @@ def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.Symbol
     inner = {name for line in range(first, last + 1) for scope in scopes.get(line, []) for name in _looked_up(scope)}
     outer = {node.id for node in every if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store)}
     outer |= {node.target.id for node in every if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name)}
+    is_dynamic = any(map(_binds_anything, every))
+    texts = (node.value for node in every if is_dynamic and isinstance(node, ast.Constant))
+    written = {name for text in texts if isinstance(text, str) for name in _WORD.findall(text)}
+    run = [*every, *_within_lambdas(every), *_within_classes(every)]
     return Group(
         first,
         last,
         tuple(statements),
         kinds,
         modules=dict(found for node in every for found in _imports(node)),
-        uses=frozenset(inner | outer),
+        uses=frozenset(inner | outer | written),
         inner=frozenset(inner),
         functions=tuple(function for node in every for function in functions_of(node)),
-        does=effects([*every, *_within_lambdas(every)], statements),
+        does=effects(run, statements),
         is_compound=any(isinstance(each, _COMPOUND) for each in statements),
-        is_dynamic=any(map(_binds_anything, every)),
-        called=frozenset(name for node in every for name in _called(node)),
+        is_dynamic=is_dynamic,
     )
 
 
@@ -150,6 +145,12 @@ def _outside_scopes(statement: ast.stmt) -> Iterator[ast.AST]:
 
 def _within_lambdas(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
     return (inner for node in nodes if isinstance(node, ast.Lambda) for inner in ast.walk(node.body))
+
+
+def _within_classes(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """What is run at the definition of a class, which is its body without those of its methods."""
+    classes = (node for node in nodes if isinstance(node, ast.ClassDef))
+    return (inner for each in classes for statement in each.body for inner in _outside_scopes(statement))
 
 
 def _evaluated_outside(scope: ast.AST) -> Iterator[ast.AST]:
@@ -189,11 +190,11 @@ def _bindings(node: ast.AST) -> Iterator[tuple[str, str]]:
 
 
 def _imports(node: ast.AST) -> Iterator[tuple[str, str]]:
-    """The names that an import binds, each with the package that it comes from."""
+    """The names that an import binds, each with where it comes from, as numpy.linalg."""
     if isinstance(node, ast.Import):
-        yield from ((_bound(alias), alias.name.partition(".")[0]) for alias in node.names)
+        yield from ((_bound(alias), alias.name if alias.asname else _bound(alias)) for alias in node.names)
     elif isinstance(node, ast.ImportFrom):
-        yield from ((_bound(alias), (node.module or "").partition(".")[0]) for alias in node.names)
+        yield from ((_bound(alias), f"{node.module or ''}.{alias.name}") for alias in node.names)
 
 
 def _called(node: ast.AST) -> Iterator[str]:
@@ -207,7 +208,11 @@ def _binds_anything(node: ast.AST) -> bool:
     """Whether a node may bind any name: `from math import *`, `exec(…)`, `globals()[name] = …`."""
     if isinstance(node, ast.ImportFrom):
         return node.names[0].name == "*"
-    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _DYNAMIC
+    if isinstance(node, ast.Subscript):  # sys.modules[__name__]
+        return isinstance(node.slice, ast.Name) and node.slice.id == "__name__"
+    if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+        return False
+    return node.func.id in _DYNAMIC or (node.func.id in _SCOPE and not node.args)
 
 
 def _bound(alias: ast.alias) -> str:

@@ -20,7 +20,7 @@ from types import CodeType, ModuleType
 from labs.grading.worker.raised import TITLE, described, place
 
 Failure = tuple[list[str], str, str, int | None]
-"""The names that a statement would have defined, the exception's type and message, and its line."""
+"""The names that a statement would have defined ("" for all), the exception's type and message, and its line."""
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 _BEGINS, _FAILED, _ERROR = "its line", "its failure", "an exception"  # no names that a submission can write
 _SIMPLE = ast.Expr | ast.Assign | ast.AnnAssign | ast.AugAssign | ast.Delete | ast.Assert | ast.Import | ast.ImportFrom
@@ -107,7 +107,7 @@ def _run_rest(text: str, module: ModuleType, failed: BaseException | None = None
     try:
         statements = _prepared(ast.parse(text, TITLE)).body
     except Exception as error:
-        return [([], *described(error))]
+        return [([""], *described(error))]
     if failed is not None:
         where = place(failed)
         reached = [statement for statement in statements if where is None or _start(statement) <= where]

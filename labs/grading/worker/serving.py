@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.worker import bodies, loading, messages, preloading
-from labs.grading.worker.raised import TITLE, described, through
+from labs.grading.worker.raised import described, through
 from labs.grading.worker.sandbox import Sealing
 
 FAILED = 70
@@ -72,7 +72,7 @@ def serve(requests: int, answers: int, sealing: Sealing) -> None:
     _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), lacking, os.getpid(), time.process_time()))
     printed = Printed(limit)
     sys.stdout = sys.stderr = printed
-    module = ModuleType(TITLE)
+    module = ModuleType("__main__")  # as in a notebook, and where Python is given a file to run
     compiled = marshal.loads(code.tobytes()) if isinstance(code, np.ndarray) else loading.compiled(source)
     if code is True:
         _send(answers, ("compiled", None if printed.anything else _for_others(compiled)))

@@ -355,7 +355,10 @@ def test_each_failure_of_a_call_is_described_in_one_line(said, error, words):
 
 def test_a_function_whose_definition_failed_says_how_and_where():
     missing = [("answer", number, "missing", "") for number in (1, 2)]
-    call, _ = begun(*missing, loaded=("loaded", [], [(["g"], "KeyError", "'k'", 2), ([], "OSError", "no", 7)], []))
+    call, _ = begun(
+        *missing,
+        loaded=("loaded", [], [(["g"], "KeyError", "'k'", 2), ([""], "OSError", "no", 7), ([], "E", "", 9)], []),
+    )
     with pytest.raises(FunctionRaised) as raised:
         call("g")
     assert (str(raised.value), raised.value.kind, raised.value.line) == (

@@ -81,6 +81,41 @@ FILLED = {
     "globals": "for name in ['TABLE']:\n    globals()[name] = [0, -1]",
     "exec": "exec('TABLE = [0, -1]')",
     "setattr": "class Rows: pass\nfor n in range(2):\n    setattr(Rows, 'row', [0, -n])\nTABLE = Rows.row",
+    "a notebook's own name": "TABLE = {}\ndef main():\n    TABLE[1] = -1\nif __name__ == '__main__':\n    main()",
+    "a closure": "TABLE = {}\ndef make(t):\n    def put(n):\n        t[n] = -n\n    return put\nput = make(TABLE)\n"
+    "put(1)",
+    "two closures": "def make():\n    t = {}\n    def put(n):\n        t[n] = -n\n    return put, t\n"
+    "put, TABLE = make()\nput(1)",
+    "a builder": "TABLE = {}\nclass Builder:\n    def __init__(self, t):\n        self.t = t\n    def put(self, n):\n"
+    "        self.t[n] = -n\nb = Builder(TABLE)\nfor n in range(2):\n    b.put(n)",
+    "a class that is derived": "TABLE = {}\nclass A:\n    def __init__(self, t):\n        t[1] = -1\nclass B(A):\n"
+    "    pass\nmade = B(TABLE)",
+    "a value of bisect": "import bisect\nTABLE = [-2, 0]\nnothing = bisect.insort(TABLE, -1)",
+    "a value that is shown": "import bisect\nTABLE = [-2, 0]\nprint(bisect.insort(TABLE, -1))",
+    "a loop in a class": "TABLE = {}\nclass K:\n    for n in range(2):\n        TABLE[n] = -n",
+    "a name in a class": "TABLE = {}\nclass K:\n    t = TABLE\nK.t.update({1: -1})",
+    "a function that gives it": "TABLE = {}\ndef get():\n    return TABLE\nget().update({1: -1})",
+    "a lambda that gives it": "TABLE = {}\nget = lambda: TABLE\nt = get()\nt[1] = -1",
+    "an end of a with": "TABLE = {}\nclass Filling:\n    def __init__(self, t):\n        self.t = t\n"
+    "    def __enter__(self):\n        return self\n    def __exit__(self, *why):\n        self.t[1] = -1\n"
+    "with Filling(TABLE):\n    pass",
+    "an operator": "class T(dict):\n    def __lshift__(self, n):\n        self[n] = -n\nTABLE = T()\nTABLE << 1",
+    "a sign": "class T(dict):\n    def __neg__(self):\n        self[1] = -1\nTABLE = T()\n-TABLE",
+    "brackets": "class T(dict):\n    def __getitem__(self, n):\n        if n < 0: self[-n] = n\n"
+    "        return self.get(n)\nTABLE = T()\nTABLE[-1]",
+    "a generator that is sent": "TABLE = {}\ndef sink(t):\n    while True:\n        n = yield\n        t[n] = -n\n"
+    "g = sink(TABLE)\nnext(g)\ng.send(1)",
+    "a generator that is used up": "TABLE = {}\ndef fill(t):\n    t[1] = -1\n    yield\ng = fill(TABLE)\nlist(g)",
+    "a map that is used up": "TABLE = {}\nm = map(TABLE.__setitem__, [1], [-1])\nlist(m)",
+    "a text": "TABLE, PAIRS = {}, [(1, -1)]\nexec('for n, s in PAIRS: TABLE[n] = s')",
+    "a metaclass": "R = {}\nclass M(type):\n    def __new__(m, n, b, d):\n        c = super().__new__(m, n, b, d)\n"
+    "        R[n] = c\n        return c\nclass C(metaclass=M):\n    table = [0, -1]\nTABLE = R['C'].table",
+    "the names of the file": "for name in ['TABLE']:\n    vars()[name] = [0, -1]",
+    "a table in a table": "TABLE, ALL = [0, 0], {}\nALL['t'] = TABLE\nALL['t'][1] = -1",
+    "a row in a list": "TABLE, ALL = [0, 0], []\nALL.append(TABLE)\nfor t in ALL:\n    t[1] = -1",
+    "a pattern": "TABLE = []\nfor e in [(0, 0), (1, -1)]:\n    match e:\n        case (n, s):\n"
+    "            TABLE.insert(n, s)",
+    "a lambda with a parameter": "TABLE = {}\nany(map(lambda e: TABLE.__setitem__(*e), [(1, -1)]))",
     "a name that a function binds": "def begin():\n    global TABLE\n    TABLE = [0, -1]\nif True:\n    begin()",
 }
 ONLY_SHOWN = [
@@ -91,7 +126,10 @@ ONLY_SHOWN = [
     "y = [TABLE[1] * n for n in range(3)]\ny.append(2)", "time.sleep(STEP)", "other = TABLE.copy()\nother[0] = 7",
     "x = TABLE\nx = [1, 2]\nx[0] = 7", "with plt.style.context('dark'):\n    plt.plot(TABLE)", "sorted(TABLE)",
     "try:\n    widget.show(TABLE)\nexcept Exception:\n    print('no widget')", "assert np.allclose(TABLE, TABLE)",
-    "lab.expose(1, 2)", "anim = FuncAnimation(fig, draw, frames=TABLE)\nanim.save('x.mp4')",
+    "lab.expose(1, 2)", "run(TABLE)", "total = np.sum(TABLE)\nprint(total)", "y = copy.deepcopy(TABLE)\ny[0] = 3",
+    "if __name__ == '__main__':\n    run(TABLE)",
+    "lab.run(lambda: TABLE)", "frames = path(TABLE)\nframes.append(3)\nplt.plot(frames)",
+    "anim = FuncAnimation(fig, draw, frames=TABLE)\nanim.save('x.mp4')",
 ]  # fmt: skip
 """Statements that change nothing of what a function needs."""
 
@@ -106,7 +144,9 @@ def test_a_table_is_filled_however_that_is_written(name, tmp_path):
 def test_what_only_shows_a_table_is_left_out(shown, tmp_path):
     before = (
         "import time\nimport numpy as np\nimport matplotlib.pyplot as plt\nfrom labs import lab\nSTEP = 0.1\n"
-        "TABLE = [0, -1]\ndef draw(ax, table):\n    ax.plot(table)\nfig, ax = plt.subplots()\n"
+        "import copy\nTABLE = [0, -1]\ndef draw(ax, table):\n    ax.plot(table)\nfig, ax = plt.subplots()\n"
+        "def run(t):\n    fig, ax = plt.subplots()\n    for n in t:\n        ax.plot(n)\n        plt.pause(0.1)\n"
+        "def path(t):\n    p = []\n    for n in range(9):\n        p.append(t[0] + n * t[1])\n    return p\n"
     )
     text = handed_in(tmp_path, before + shown + USED, "lab.py").text
     assert [line for line in text.splitlines() if line] == ["TABLE = [0, -1]", *USED.strip().splitlines()]
