@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from labs.grading.submission.sharing import (
     Binding,
@@ -42,8 +42,8 @@ class Call:
 
     path: the names from the root to the function, as `np.linalg.norm`; empty if it is not made of names alone. root:
     the name that the expression begins with. receiver: names that share the object of a method, or of a value that is
-    called. given: names that share an argument. roots: those that arguments begin with, and calls that it is an argument
-    of. keywords: the names of arguments.
+    called. given: names that share an argument. roots: those that arguments begin with, and the calls around it.
+    keywords: the names of arguments. is_lookup: whether nothing is called, or only with what is defined there.
     """
 
     called: str
@@ -212,11 +212,11 @@ def _applied(node: ast.FunctionDef | ast.ClassDef) -> Iterator[Call]:
     for each in (*node.decorator_list, *getattr(node, "bases", []), *keywords):
         function = each.func if isinstance(each, ast.Call) else each
         call = ast.Call(function, [ast.Name(node.name, ast.Load())], [])
-        yield _call(call, is_statement=isinstance(function, ast.Attribute))
+        yield replace(_call(call, is_statement=isinstance(function, ast.Attribute)), is_lookup=True)
 
 
 def _call(node: ast.Call, within: Iterable[str] = (), is_statement: bool = False) -> Call:
-    """A call. within: what calls that it is an argument of begin with. is_statement: whether it may change even a module, as `np.seterr(all="raise")` does."""
+    """A call. within: what the calls around it begin with. is_statement: whether it may change even a module."""
     every = arguments(node)
     receiver = shared(node.func.value if isinstance(node.func, ast.Attribute) else node.func)
     path: list[str] = []

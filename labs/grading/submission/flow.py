@@ -116,7 +116,7 @@ class Flow:
         for function in every:
             self._inside[id(function)] = objects = _Objects()
             for each in (*function.does.bindings, *function.does.stores):
-                for name in each.shares.union(*(lent.names for lent in each.lent)):
+                for name in each.shares.union(*(lent.names for lent in each.lent if not self._is_unknown(lent.call))):
                     if name in self._values or name in function.given or name in function.does.local:
                         objects.join(each.name, name)
             for call in function.does.calls:
@@ -184,7 +184,7 @@ class Flow:
         return not (inside or call.is_lookup or name in _READING_METHODS or call.called in self._functions)
 
     def _changes_given(self, call: Call, name: str, inside: bool, at_hand: bool, local: frozenset[str]) -> bool:
-        if not call.given or name in COPIES:
+        if not call.given or call.is_lookup or name in COPIES:
             return False
         if call.called in self._changing or not self._changing.isdisjoint(call.given):
             return True
