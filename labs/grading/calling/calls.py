@@ -142,12 +142,10 @@ class Call:
                 case _:
                     raise self._lose(NoAnswer(forged))
         for _ in range(MOST_TOLD + 1):
-            match self._exchange(LOADING, b""):
-                case (str(kind), line) if kind == "begins" and (line is None or is_line(line)):
             with self._patience.counted_for(self.reached, LOADING):
                 said = self._exchange(LOADING, b"")
             match said:
-                case (str(kind), line) if kind == "begins" and is_line(line):
+                case (str(kind), line) if kind == "begins" and (line is None or is_line(line)):
                     self.reached = line
                 case (str(), list(names), list(failures), list(inner)):
                     self._names = frozenset(name for name in names if isinstance(name, str))

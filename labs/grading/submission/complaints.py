@@ -172,7 +172,8 @@ def not_filled(functions: Collection[str], kept: Sequence[Located], pieces: Sequ
     """
     groups = [piece.group for piece in kept]
     used, here = looked_up(groups, functions), {id(group) for group in groups}
-    empty = {name: piece for piece in kept for name in piece.group.defines & used if _is_empty(piece.group)}
+    begun = [piece for piece in kept if _is_empty(piece.group)]
+    empty = {name: piece for piece in begun for name in piece.group.defines & used}
     worked_on = {name for group in groups for name in group.uses if not group.functions}
     worked_on |= {name for group in groups for each in group.functions for name in _worked_on(each.does)}
     imported = {name: path for piece in pieces for name, path in piece.group.modules.items()}

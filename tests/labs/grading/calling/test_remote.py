@@ -117,6 +117,25 @@ def test_a_statement_that_never_ends_or_ends_the_process_is_left_out(ends, of, h
     )
 
 
+def test_a_slow_statement_is_named_and_left_out_once_its_processes_have_used_their_share(of, grader):
+    submission = of("import time\ntime.sleep(0.2)\ndef f(v): return v\n").submission
+    with Remote(submission, grader, Budget(1.5)) as remote:
+        for _ in range(6):
+            with remote.fresh() as call:
+                assert call("f", 2.0) == 2.0
+    (said,) = map(str, remote.complaints)
+    assert said.startswith("line 2: this statement was left out, because it gave no answer: it has taken 0.5 s in all")
+
+
+def test_a_statement_that_fails_for_its_effect_is_named(of):
+    with of("T = {}\nT.pop(1)\nfor n in T[0]:\n    T[n] = 1\ndef f(v): return v\n") as remote:
+        with remote.fresh() as call:
+            assert call("f", 2.0) == 2.0
+            with pytest.raises(FunctionMissing):
+                call("g")
+    assert [str(each).partition(":")[0] for each in remote.complaints] == ["line 2", "line 3"]
+
+
 def test_of_many_statements_that_never_end_three_are_left_out(of, hasty):
     ends = "import os\n" + "os._exit(3)\n" * 4 + "def f(v): return v\n"
     with of(ends) as remote, remote.fresh() as call, pytest.raises(ProcessDied, match="on loading"):

@@ -183,3 +183,31 @@ def test_a_right_table_earns_all_points_and_a_wrong_one_none(tmp_path):
             assert report.all_right(sheet), (name, sheet.complaints)
         for name, text in WRONG.items():
             assert sheet_of(tmp_path, grader, text + RIGHT, "normal_velocity").earned == 0, name
+
+
+@pytest.mark.parametrize(
+    ("filling", "line"),
+    [
+        ("import helper\nTABLE = {}\nhelper.fill(TABLE)", 3),
+        ("from helper import fill\nTABLE = []\nfill(TABLE)", 3),
+        ("import numpy as np\nimport helper\nTABLE = np.zeros(3)\nfor n in range(3):\n    helper.put(n, TABLE)", 4),
+        ("import helper\nTABLE = dict()\nTABLE.update(helper.rows())", 3),
+    ],
+)
+def test_a_table_that_stays_empty_names_what_would_fill_it(filling, line, tmp_path):
+    (complaint,) = [each for each in handed_in(tmp_path, filling + USED, "lab.py").complaints if each.kind == "other"]
+    assert (complaint.line, "TABLE stays as line" in complaint.text) == (line, True)
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [
+        "TABLE = {}\nTABLE[1] = -1\nplt.plot(TABLE)",
+        "TABLE = {1: -1}\nplt.plot(TABLE)",
+        "TABLE = {}\nprint(TABLE)",
+        "TABLE = {}\ndef note(n):\n    TABLE[n] = -n\nfor n in range(2):\n    note(n)\nplt.plot(TABLE)",
+    ],
+)
+def test_nothing_is_said_of_a_table_that_is_filled_and_then_shown(shown, tmp_path):
+    submission = handed_in(tmp_path, "import matplotlib.pyplot as plt\n" + shown + USED, "lab.py")
+    assert [each for each in submission.complaints if each.kind == "other"] == []
