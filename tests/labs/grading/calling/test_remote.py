@@ -128,11 +128,10 @@ def test_a_slow_statement_is_named_and_left_out_once_its_processes_have_used_the
 
 
 def test_a_statement_that_fails_for_its_effect_is_named(of):
-    with of("T = {}\nT.pop(1)\nfor n in T[0]:\n    T[n] = 1\ndef f(v): return v\n") as remote:
-        with remote.fresh() as call:
-            assert call("f", 2.0) == 2.0
-            with pytest.raises(FunctionMissing):
-                call("g")
+    with of("T = {}\nT.pop(1)\nfor n in T[0]:\n    T[n] = 1\ndef f(v): return v\n") as remote, remote.fresh() as call:
+        assert call("f", 2.0) == 2.0
+        with pytest.raises(FunctionMissing):
+            call("g")
     assert [str(each).partition(":")[0] for each in remote.complaints] == ["line 2", "line 3"]
 
 
