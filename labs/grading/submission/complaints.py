@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import Cell, Complaint, merge_mark, place
 from labs.grading.submission.effects import Effects
-from labs.grading.submission.flow import AT_HAND
+from labs.grading.submission.known_calls import AT_HAND
 from labs.grading.submission.magics import cell_magic
 from labs.grading.submission.sharing import called_as
 from labs.grading.submission.slicing import looked_up

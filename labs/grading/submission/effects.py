@@ -24,6 +24,7 @@ from labs.grading.submission.sharing import (
 CHANGING_METHODS = {
     "add", "append", "appendleft", "clear", "difference_update", "discard", "extend", "extendleft", "fill", "insert",
     "intersection_update", "partition", "pop", "popitem", "popleft", "put", "remove", "resize", "reverse", "rotate",
+    "move_to_end", "subtract",
     "setdefault", "setfield", "setflags", "sort", "symmetric_difference_update", "update",
     "__delitem__", "__iadd__", "__imul__", "__ior__", "__setitem__",
 }  # fmt: skip

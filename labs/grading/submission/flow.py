@@ -10,47 +10,24 @@ from __future__ import annotations
 
 import builtins
 import collections
-import inspect
-import sys
-import types
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property, lru_cache
-
-import numpy as np
+from functools import cached_property
 
 from labs.grading.submission.effects import CHANGING_METHODS, OPERATOR, Call, Effects, Function
-from labs.grading.submission.sharing import COPIES, LOOKED_AT, Binding
+from labs.grading.submission.known_calls import (
+    AT_HAND,
+    CHANGING_BUILTINS,
+    IN_PLACE,
+    LAZY,
+    READING_METHODS,
+    SHOWING,
+    gives_a_value,
+)
+from labs.grading.submission.sharing import COPIES, LOOKED_AT, Binding, Objects
 from labs.grading.submission.statements import Group
 
 _VERSIONS = 10
 """So many functions of one name are looked at, the last ones. Thousands with thousands of calls would take hours."""
-AT_HAND = {*sys.stdlib_module_names, "numpy"}
-"""Packages that a submission can import where it is graded."""
-_CHANGING_BUILTINS = {"setattr", "delattr", "next"}
-_SHOWING, _LAZY = "print", {"map", "filter", "iter"}
-_IN_PLACE = {"out", "copy", "overwrite_input", "op_flags"}  # keywords of NumPy's functions
-_CONTAINERS = (list, dict, set, str, tuple, collections.deque, collections.Counter, collections.OrderedDict, np.ndarray)
-_READING_METHODS = {name for each in _CONTAINERS for name in dir(each)} - CHANGING_METHODS
-_READING_METHODS -= {"subtract", "move_to_end"}
-
-
-class _Objects:
-    """Sets of things that may share an object; two sets become one when a thing of each may share it."""
-
-    def __init__(self) -> None:
-        self._above: dict[Hashable, Hashable] = {}
-
-    def of(self, thing: Hashable) -> Hashable:
-        """The thing that stands for the set of another one."""
-        while (above := self._above.get(thing, thing)) != thing:
-            self._above[thing] = self._above.get(above, above)
-            thing = above
-        return thing
-
-    def join(self, one: Hashable, other: Hashable) -> None:
-        """Make one set of the sets of two things."""
-        if (first := self.of(one)) != (second := self.of(other)):
-            self._above[first] = second
 
 
 class Flow:
@@ -74,10 +51,10 @@ class Flow:
         self._knows_all = not any(each.is_dynamic for each in every)
         self._has_lazy = any(each.is_lazy for several in self._functions.values() for each in several)
         bindings = (binding for each in every for binding in each.does.bindings)
-        self._has_lazy |= any(lent.call in _LAZY for binding in bindings for lent in binding.lent)
+        self._has_lazy |= any(lent.call in LAZY for binding in bindings for lent in binding.lent)
         self._unchangeable = constants | self._imported.keys()
         self._absent = self._not_at_hand()
-        self._inside: dict[int, _Objects] = {}
+        self._inside: dict[int, Objects] = {}
         self._changed: set[tuple[int, Hashable]] = set()  # objects of functions, each with its function
         self._changing: set[str] = set()  # functions that may change what they are given, or were made of
         self._reached: dict[str, frozenset[str]] = {}
@@ -114,7 +91,7 @@ class Flow:
         every = [function for several in self._functions.values() for function in several]
         callers: dict[str, list[Function]] = {}
         for function in every:
-            self._inside[id(function)] = objects = _Objects()
+            self._inside[id(function)] = objects = Objects()
             for each in (*function.does.bindings, *function.does.stores):
                 for name in each.shares.union(*(lent.names for lent in each.lent if not self._is_unknown(lent.call))):
                     if name in self._values or name in function.given or name in function.does.local:
@@ -170,18 +147,22 @@ class Flow:
         is_method, at_hand = call.called.startswith("."), call.root in self._imported and call.root not in local
         if call.is_statement and is_method and not inside:
             yield call.root
-        if not at_hand and not hasattr(builtins, call.root) and self._changes_receiver(call, name, inside, local):
+        if (
+            not at_hand
+            and not (call.path and hasattr(builtins, call.root))
+            and self._changes_receiver(call, name, inside, local)
+        ):
             yield from (each for each in self._expanded(call.receiver) if each not in self._unchangeable)
         if self._changes_given(call, name, inside, at_hand, local):
             names = self._expanded(call.given)
-            yield from names if call.called in _CHANGING_BUILTINS else self._only_values(names)
+            yield from names if call.called in CHANGING_BUILTINS else self._only_values(names)
 
     def _changes_receiver(self, call: Call, name: str, inside: bool, local: frozenset[str]) -> bool:
         if not call.called.startswith("."):  # a value that is called, as a bound method or a closure
             return call.called not in self._own and not (inside and call.called in local)
         if call.called in self._changing or name in CHANGING_METHODS:
             return True
-        return not (inside or call.is_lookup or name in _READING_METHODS or call.called in self._functions)
+        return not (inside or call.is_lookup or name in READING_METHODS or call.called in self._functions)
 
     def _changes_given(self, call: Call, name: str, inside: bool, at_hand: bool, local: frozenset[str]) -> bool:
         if not call.given or call.is_lookup or name in COPIES:
@@ -189,7 +170,7 @@ class Flow:
         if call.called in self._changing or not self._changing.isdisjoint(call.given):
             return True
         if at_hand:
-            return not gives_a_value((self._imported[call.root], *call.path[1:])) or bool(call.keywords & _IN_PLACE)
+            return not gives_a_value((self._imported[call.root], *call.path[1:])) or bool(call.keywords & IN_PLACE)
         if hasattr(builtins, call.root) and call.root not in self._bound:
             is_method = call.called.startswith(".")
             return name in CHANGING_METHODS if is_method else self._builtin_changes(call)
@@ -197,7 +178,7 @@ class Flow:
 
     def _builtin_changes(self, call: Call) -> bool:
         """Whether one of Python's own functions changes what it is given; of a generator it takes the items."""
-        return call.called in _CHANGING_BUILTINS or (self._has_lazy and call.called != _SHOWING)
+        return call.called in CHANGING_BUILTINS or (self._has_lazy and call.called != SHOWING)
 
     def _only_values(self, names: Iterable[str]) -> Iterator[str]:
         """Those of some names that are no function, module or constant of the file, and none of Python's own."""
@@ -255,7 +236,7 @@ class Flow:
     @cached_property
     def changers(self) -> Mapping[str, Sequence[int]]:
         """For each name the numbers of the statements that may change an object that it has at some time."""
-        objects, now, had = _Objects(), dict[str, tuple[str, int]](), dict[str, list[tuple[str, int]]]()
+        objects, now, had = Objects(), dict[str, tuple[str, int]](), dict[str, list[tuple[str, int]]]()
         touched: list[tuple[int, Hashable]] = []
         for at, each in enumerate(self.every):
             values = [name for name in each.kinds if name in self._values]
@@ -276,21 +257,3 @@ class Flow:
             places.setdefault(objects.of(thing), []).append(at)
         found = {name: {objects.of(each) for each in (name, *had.get(name, ()))} for name in self._bound}
         return {name: [at for thing in things for at in places.get(thing, ())] for name, things in found.items()}
-
-
-@lru_cache(maxsize=1000)
-def gives_a_value(path: tuple[str, ...]) -> bool:
-    """Whether a function of NumPy gives a value, by its documentation, and so changes nothing that it is given."""
-    names = [*path[0].split("."), *path[1:]]
-    found: object = np
-    if names[0] == "math":
-        return True
-    if names[0] != "numpy":
-        return False
-    for name in names[1:]:
-        if not isinstance(found, types.ModuleType) or name.startswith("_"):
-            return False
-        found = vars(found).get(name)
-    return callable(found) and "Returns\n-------\n" in (inspect.getdoc(found) or "").replace(
-        "Returns\n-------\nNone", ""
-    )

@@ -6,12 +6,31 @@ A tree does not say what the objects are, so where it is not clear, two names co
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass
 
 COPIES = {"copy", "deepcopy"}
 LOOKED_AT = 50
 """So many parts of an expression are looked at for names. A chain of thousands of calls would take hours."""
+
+
+class Objects:
+    """Sets of things that may share an object; two sets become one when a thing of each may share it."""
+
+    def __init__(self) -> None:
+        self._above: dict[Hashable, Hashable] = {}
+
+    def of(self, thing: Hashable) -> Hashable:
+        """The thing that stands for the set of another one."""
+        while (above := self._above.get(thing, thing)) != thing:
+            self._above[thing] = self._above.get(above, above)
+            thing = above
+        return thing
+
+    def join(self, one: Hashable, other: Hashable) -> None:
+        """Make one set of the sets of two things."""
+        if (first := self.of(one)) != (second := self.of(other)):
+            self._above[first] = second
 
 
 @dataclass(frozen=True)

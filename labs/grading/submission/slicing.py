@@ -46,7 +46,7 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
                 kept.add(at)
                 names += every[at].uses - seen
                 seen |= every[at].uses
-                within |= every[at].inner
+                within |= every[at].inner - every[at].defines
     return kept
 
 

@@ -113,6 +113,10 @@ FILLED = {
     "the names of the file": "for name in ['TABLE']:\n    vars()[name] = [0, -1]",
     "a table in a table": "TABLE, ALL = [0, 0], {}\nALL['t'] = TABLE\nALL['t'][1] = -1",
     "a row in a list": "TABLE, ALL = [0, 0], []\nALL.append(TABLE)\nfor t in ALL:\n    t[1] = -1",
+    "a method by its name": "TABLE = [0]\ngetattr(TABLE, 'append')(-1)",
+    "a table of helpers": "TABLE = {}\ndef put(n):\n    TABLE[n] = -n\nDO = {'put': put}\nDO['put'](1)",
+    "a class that notes in itself": "class T:\n    rows = [0]\n    def __init__(self, n):\n        T.rows.append(n)\n"
+    "T(-1)\nTABLE = T.rows",
     "a pattern": "TABLE = []\nfor e in [(0, 0), (1, -1)]:\n    match e:\n        case (n, s):\n"
     "            TABLE.insert(n, s)",
     "a lambda with a parameter": "TABLE = {}\nany(map(lambda e: TABLE.__setitem__(*e), [(1, -1)]))",
