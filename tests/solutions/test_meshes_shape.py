@@ -230,6 +230,7 @@ def test_strain_limiting_of_many_meshes_is_as_one_after_another():
         assert np.array_equal(together[at], limit_strain(mesh, shapes[at], iterations=50))
 
 
+@pytest.mark.slow
 @pytest.mark.statement(28, oracle="the limit itself")
 def test_a_soft_cloth_limited_in_every_step_hangs_without_stretching():
     position, edges = cloth(4, 4, 0.1)

@@ -91,6 +91,7 @@ def test_box_and_ball_come_to_rest_at_the_foot_of_a_slope_as_in_pymunk():
     np.testing.assert_allclose(end @ out, (half[2], radius), atol=5e-4)
 
 
+@pytest.mark.slow
 def test_a_smooth_ladder_falls_as_its_integral_and_leaves_the_wall_at_two_thirds():
     """A rod of length 2 l slides between a smooth wall and floor, at the angle θ from the floor.
 

@@ -52,6 +52,7 @@ def test_together_a_ball_that_leaves_may_gain_energy(response):
     assert energy(bodies, state._replace(velocity=velocity)) == pytest.approx(0.505, abs=1e-15)
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10_000))
 @settings(max_examples=25)
 def test_together_balls_that_all_approach_never_gain_energy(seed):

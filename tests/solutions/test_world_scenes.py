@@ -94,6 +94,7 @@ def on_slope(slope, across, half, group, heading=0.7):
     ], normal
 
 
+@pytest.mark.slow
 def test_a_box_tips_beyond_the_textbook_ratio_if_friction_holds_it():
     """The line of weight through the centre leaves the face, over an edge at the angle ψ to the slope.
 

@@ -15,7 +15,8 @@ def test_burns_half_a_second_in_a_child():
 LINE = r"processor time: (\d+) s\. This machine takes (\S+) times as long .* allowances: (\d+) s of 9 s allowed\."
 
 
-@pytest.mark.parametrize("processes", ["0", pytest.param("2", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("processes", ["0", "2"])
 def test_the_last_line_counts_children_and_the_pace_of_the_machine(run_pytest, processes):
     ended = run_pytest({"test_burns.py": BURNS}, "-n", processes, "--cpu-allowed=9")
     used, slowness, comparable = map(float, re.search(LINE, ended.stdout).groups())

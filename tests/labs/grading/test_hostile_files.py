@@ -117,7 +117,8 @@ LONG_ONES = {
     "a chain of functions", "scopes in a class", "functions in a function", "its own name on every line",
     "one name on every line", "changes of one object", "decorators", "stars", "magics", "what could become a magic",
     "brackets", "a sum of thousands", "parameters for a star", "functions of one name and their calls",
-    "methods of a value of methods", "a value that is made of many names",
+    "methods of a value of methods", "a value that is made of many names", "names for one object",
+    "misspelt thousands of times",
 }  # fmt: skip
 """Sources whose length alone takes a second of Python's own reading."""
 OTHERS: dict[str, tuple[str, Callable[[], str | bytes]]] = {

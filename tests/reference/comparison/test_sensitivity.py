@@ -58,6 +58,7 @@ def test_what_physics_does_not_depend_on_has_no_effect():
         assert found_in(DROPS, "e=0.5", "slide", fault).outcome is Outcome.NO_EFFECT
 
 
+@pytest.mark.slow
 def test_a_judge_that_accepts_everything_notices_nothing():
     blind = with_bands(DROPS, 1e12)
     assert found_in(blind, "e=0.5", "slide", "restitution").outcome is Outcome.NOT_NOTICED
