@@ -93,6 +93,7 @@ def running(place: Path) -> Iterator[subprocess.Popen[str]]:
         program.communicate()
 
 
+@pytest.mark.slow
 def test_workers_end_with_a_command_that_is_killed_and_the_next_run_clears_up(tmp_path):
     with running(tmp_path) as program:
         program.kill()

@@ -92,9 +92,8 @@ def test_recorded_tuned_numbers_agree_with_theory(job):
     assert found.series is not None or Verdict.CANNOT_EXPRESS in {row.verdict for row in found.rows}
 
 
-@pytest.mark.parametrize(
-    "engine", [ENGINES[-1], *(pytest.param(name, marks=pytest.mark.slow) for name in ENGINES[:-1])]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ENGINES)
 def test_every_case_grid_point_and_replay_is_recorded_and_up_to_date(engine):
     for family in catalogue():
         if words := never_recorded(family, (engine,)):

@@ -104,7 +104,11 @@ def solved(): return importlib.util.find_spec("solutions") is not None or import
 """
 
 
-@pytest.mark.parametrize("options", [{"sandboxed": False}, {}], ids=["without a sandbox", "with what there is"])
+@pytest.mark.parametrize(
+    "options",
+    [pytest.param({"sandboxed": False}, marks=pytest.mark.slow), {}],
+    ids=["without a sandbox", "with what there is"],
+)
 def test_a_process_of_a_test_is_not_told_where_the_lab_is(options):
     with Grader(PATIENT, **options) as lesser, Remote(Submission("lab.py", TELLS), lesser).fresh() as call:
         assert not call("solved")
@@ -112,6 +116,7 @@ def test_a_process_of_a_test_is_not_told_where_the_lab_is(options):
         assert not [each for each in places if str(ROOT) in each]
 
 
+@pytest.mark.slow
 def test_without_a_sandbox_a_file_that_a_test_leaves_is_not_in_the_way_of_the_next():
     text = """
     import os
@@ -152,6 +157,7 @@ def test_numpy_that_cannot_be_copied_is_used_where_it_is(monkeypatch, tmp_path):
         assert call("f") == 5
 
 
+@pytest.mark.slow
 def test_without_the_nursery_a_hang_or_a_death_costs_one_test():
     text = "import os, time\ndef hang(): time.sleep(600)\ndef die(): os._exit(3)\ndef f(): return 1"
     with Grader(Limits(call=0.3), sandboxed=False) as lesser:

@@ -72,6 +72,7 @@ def test_the_names_of_a_body_are_told_where_another_one_is_used():
     assert "angular_velocity, arm" in advice("raised AttributeError: 'Body' object has no attribute 'omega' (line 3)")
 
 
+@pytest.mark.slow
 def test_called_functions_are_listed_only_if_they_are_wrong(tmp_path, grader):
     driving = IMPULSE.replace("-(1 +", "(1 +")
     text = checked(tmp_path, grader, CLOSING + driving, "impulse_magnitude")
@@ -80,6 +81,7 @@ def test_called_functions_are_listed_only_if_they_are_wrong(tmp_path, grader):
     assert sheet_of(tmp_path, grader, CLOSING + IMPULSE, "impulse_magnitude").beneath == []
 
 
+@pytest.mark.slow
 def test_called_functions_cost_no_points(tmp_path, grader):
     wrong = TURNED + IMPULSE
     sheet = sheet_of(tmp_path, grader, wrong, "impulse_magnitude")
@@ -96,6 +98,7 @@ def test_the_function_that_hangs_is_named_not_its_caller(tmp_path, grader):
     assert text.count("Does every loop in it come to an end") == 1
 
 
+@pytest.mark.slow
 def test_a_function_is_blamed_if_the_one_it_calls_fails_for_batches_only(tmp_path, grader):
     one = CLOSING.replace("np.sum((p - q) * n, axis=-1)", "sum((p[i] - q[i]) * n[i] for i in range(3))")
     text = checked(tmp_path, grader, one + IMPULSE.replace("-(1 +", "(1 +"), "impulse_magnitude")
@@ -113,6 +116,7 @@ def test_a_missing_return_is_reported_once_without_a_hint(tmp_path, grader):
     assert "Hint" not in text
 
 
+@pytest.mark.slow
 def test_too_few_outputs_get_no_hint(tmp_path, grader):
     text = checked(tmp_path, grader, "def apply_impulse(a, b, j):\n    return a[0], b[0]\n", "apply_impulse")
     assert text.count("2 things instead of 4") == 1
@@ -237,6 +241,7 @@ def test_a_package_that_is_not_there_is_named_with_those_that_are(tmp_path, grad
     assert "NumPy and Python's standard library: no other package, such as SciPy" in found
 
 
+@pytest.mark.slow
 def test_results_in_another_order_are_labelled_and_called_so(tmp_path, grader):
     text = (
         "import numpy as np\ndef apply_impulse(a, b, j):\n"
