@@ -113,13 +113,13 @@ def in_the_world(count, dt, friction, among, duration):
 
 @pytest.mark.slow
 def test_a_smooth_row_falls_as_fast_as_van_leeuwens_theory_says():
-    """Twelve dominoes, with d/h = 0.15 and s/h = 0.3: the front speeds up from 0.45 √(g h) to 1.71 √(g h).
+    """Nine dominoes, with d/h = 0.15 and s/h = 0.3: the front speeds up from 0.45 √(g h) to 1.53 √(g h).
 
-    Measured in the world: 0.611, 0.446, 0.631, 0.871, 1.095, 1.276, 1.419, 1.525, 1.614, 1.685 and 1.706 √(g h). Theory
-    says 1.84 for a row without end.
+    Measured in the world, of twelve: 0.611, 0.446, 0.631, 0.871, 1.095, 1.276, 1.419, 1.525, 1.614, 1.685 and
+    1.706 √(g h). Theory says 1.84 for a row without end.
     """
-    theory = wave_speeds_by_theory(11) / UNIT
-    found = in_the_world(12, 1e-3, 2.0, 0.0, 1.3) / UNIT
+    theory = wave_speeds_by_theory(8) / UNIT
+    found = in_the_world(9, 1e-3, 2.0, 0.0, 1.05) / UNIT
     # A front is seen when a domino leans by 0.01 rad, which takes the slow ones longer than the fast ones.
     np.testing.assert_allclose(found[:3], theory[:3], rtol=0.04)
     np.testing.assert_allclose(found[3:], theory[3:], rtol=0.012)
