@@ -55,7 +55,7 @@ verify: lint live ## the slow checks: style, types, the whole catalogue, the who
 	$(PYTEST) -m 'slow and not weekly' --hypothesis-profile=more --timeout=1200 --cpu-allowed=600 $(ARGS)
 
 weekly: live     ## the rest: more points of the grids, other seeds, other people's graders and platforms, faults in our code
-	$(PYTEST) -m weekly --timeout=2400 --cpu-allowed=650 $(ARGS)
+	$(PYTEST) -m weekly --timeout=2400 --cpu-allowed=400 $(ARGS)
 	$(PYTEST) -m 'hypothesis and not weekly' --hypothesis-profile=others --hypothesis-seed=41 $(ARGS)
 	$(BIN)/python tests/faults/study.py run
 
