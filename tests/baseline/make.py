@@ -101,7 +101,7 @@ class Maker:
         """Return the grades of a class by submission; of one that has none, the note that says why."""
         hostile, grades = group.name == kept_submissions.HOSTILE, self.work / group.name
         lab, seconds = (kept_submissions.HOSTILE_LAB, ("--seconds", SECONDS)) if hostile else (group.name, ())
-        options = ("--lab", lab, "--out", str(grades), "--no-runs", "--jobs", "1")
+        options = ("--lab", lab, "--out", str(grades), "--no-runs", "--jobs", "2")
         ended = self.collisions("grade", str(group.resolve()), *options, *seconds)
         if not (grades / "grades.csv").is_file():
             return {"the whole class": {"code": ended.returncode, "said": ended.stderr.splitlines()[-1:]}}

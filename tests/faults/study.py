@@ -1,6 +1,6 @@
 """Faults in the lab's own code, each with the test that notices it: `make weekly` makes them again.
 
-    python tests/faults/study.py run [--all]                makes a third of faults.csv each week, and runs their tests
+    python tests/faults/study.py run [--all]                makes a quarter of faults.csv each week and runs their tests
     python tests/faults/study.py draw COVERAGE [--seed 41]  draws faults in lines that tests execute, into faults.csv
     python tests/faults/study.py find                       finds the test of each fault that has none
 
@@ -169,11 +169,11 @@ def found(entry: Entry, levels: list[str]) -> Entry:
 def run(workers: int, week: int | None) -> int:
     """Make faults of the table again; 1 if one of them is not noticed, or its test fails without it too.
 
-    week: of the year, which decides which third of them is made; None for all.
+    week: of the year, which decides which quarter of them is made; None for all.
     """
     entries = [entry for entry in read() if entry.level in LEVELS]
     if week is not None:
-        entries = entries[week % 3 :: 3]
+        entries = entries[week % 4 :: 4]
     with copied() as copy:
         if test := failing(copy, sorted({entry.test for entry in entries}), "", limit=4 * LIMIT):
             print(f"without any fault, this fails or does not end: {test}")
@@ -209,7 +209,7 @@ def main() -> int:
     parser.add_argument("coverage", type=Path, nargs="?")
     parser.add_argument("--seed", type=int, default=41)
     parser.add_argument("--levels", nargs="+", choices=LEVELS, default=list(LEVELS))
-    parser.add_argument("--all", action="store_true", help="run every fault, and not the third of this week")
+    parser.add_argument("--all", action="store_true", help="run every fault, and not the quarter of this week")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     asked = parser.parse_args()
     if asked.command == "run":

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import builtins
 import collections
-from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
 from labs.grading.submission.effects import CHANGING_METHODS, OPERATOR, Call, Effects, Function
@@ -55,7 +55,7 @@ class Flow:
         self._unchangeable = constants | self._imported.keys()
         self._absent = self._not_at_hand()
         self._inside: dict[int, Objects] = {}
-        self._changed: set[tuple[int, Hashable]] = set()  # objects of functions, each with its function
+        self._changed: dict[int, set[Hashable]] = {}  # of each function the objects
         self._changing: set[str] = set()  # functions that may change what they are given, or were made of
         self._reached: dict[str, frozenset[str]] = {}
         self._follow_functions()
@@ -107,10 +107,9 @@ class Flow:
             if looked_at[id(function)] > _VERSIONS:
                 continue
             objects = self._inside[id(function)]
-            self._changed |= {(id(function), objects.of(name)) for name in self._touched(function.does, function)}
-            if function.called not in self._changing and any(
-                (id(function), objects.of(name)) in self._changed for name in function.given
-            ):
+            changed = self._changed.setdefault(id(function), set())
+            changed |= {objects.of(name) for name in self._touched(function.does, function)}
+            if function.called not in self._changing and any(objects.of(name) in changed for name in function.given):
                 self._changing.add(function.called)
                 waiting += callers.get(function.called, ())
 
@@ -225,13 +224,14 @@ class Flow:
         named |= {name for each in group.does.bindings for name in each.shares}
         return named | ({OPERATOR} if group.does.operated else set())
 
-    def changed_by(self, function: Function, names: Iterable[str]) -> set[str]:
+    def changed_by(self, function: Function, names: Set[str]) -> set[str]:
         """Which of some names of the file have objects that a function may change."""
         if id(function) not in self._inside:
             return set()
-        objects = self._inside[id(function)]
-        changed = {name for name in names if (id(function), objects.of(name)) in self._changed}
-        return changed - self._imported.keys()  # nobody changes NumPy by a call of it
+        objects, changed = self._inside[id(function)], self._changed[id(function)]
+        own = {*objects.joined, *changed}  # few, where the names of a file may be thousands
+        found = {name for name in names & own if objects.of(name) in changed}
+        return found - self._imported.keys()  # nobody changes NumPy by a call of it
 
     @cached_property
     def changers(self) -> Mapping[str, Sequence[int]]:

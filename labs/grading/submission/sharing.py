@@ -6,7 +6,7 @@ A tree does not say what the objects are, so where it is not clear, two names co
 from __future__ import annotations
 
 import ast
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass
 
 COPIES = {"copy", "deepcopy"}
@@ -19,6 +19,11 @@ class Objects:
 
     def __init__(self) -> None:
         self._above: dict[Hashable, Hashable] = {}
+
+    @property
+    def joined(self) -> Iterable[Hashable]:
+        """The things for which others stand."""
+        return self._above.keys()
 
     def of(self, thing: Hashable) -> Hashable:
         """The thing that stands for the set of another one."""

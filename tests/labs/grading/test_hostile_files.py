@@ -92,6 +92,9 @@ PYTHON: dict[str, Callable[[int], str]] = {
     "methods of a value of methods": lambda room: (
         ("a" + ".pop()" * 800 + "\n") * (room // 4802) + WRONG.replace("0.0", "a")
     ),
+    "methods that change one object": lambda room: (
+        f"class A:\n{as_many(' def NAME(s):s.x.append(1)' + chr(10), room)}a=A()\n" + WRONG.replace("0.0", "a.x")
+    ),
     "decorators": lambda room: "@rebound_velocity\n" * (room // 20) + WRONG,
     "stars": lambda room: "from math import *\n" * (room // 20) + WRONG,
     "lines joined by backslashes": lambda room: WRONG.replace("0.0", "0.0" + "\\\n" * 50_000),
@@ -119,7 +122,7 @@ LONG_ONES = {
     "one name on every line", "changes of one object", "decorators", "stars", "magics", "what could become a magic",
     "brackets", "a sum of thousands", "parameters for a star", "functions of one name and their calls",
     "methods of a value of methods", "a value that is made of many names", "names for one object",
-    "misspelt thousands of times",
+    "misspelt thousands of times", "methods that change one object",
 }  # fmt: skip
 """Sources whose length alone takes a second of Python's own reading."""
 OTHERS: dict[str, tuple[str, Callable[[], str | bytes]]] = {
