@@ -32,6 +32,7 @@ from labs.grading.diagnosis.fingerprints.reading import FOLDER as FINGERPRINTS
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.judging.grade import SCHEMA, VERSION, grade
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
+from labs.grading.submission.statements import groups
 from labs.grading.worker.tier import Tier
 from labs.project_folders import AUTOGRADER
 from reference.errors import InvalidInput
@@ -141,7 +142,10 @@ _ONE_AT_A_TIME = threading.Lock()
 def grade_one(task: Task) -> Graded:
     """Grade a submission; one that cannot be read earns nothing, and says why."""
     with _ONE_AT_A_TIME:
-        return _grade(task)
+        try:
+            return _grade(task)
+        finally:
+            groups.cache_clear()  # the trees of long hostile texts would fill the memory, one submission after another
 
 
 def _grade(task: Task) -> Graded:

@@ -1,8 +1,8 @@
 """How far submissions were shut in while a class was graded, and what to do where nothing shuts them in.
 
-Threat: on a system without a sandbox a submission runs with the rights of whoever grades. It can import the solutions,
-read the hidden tests and other students' work, write files and open connections. So a class is refused there, unless
-the instructor says that the machine itself is expendable, as a container is.
+Threat: on a system without a sandbox a submission runs with the rights of the person who grades. It can import the
+solutions, read the hidden tests and other students' work, write files and open connections. So a class is refused
+there, unless the instructor says that the machine itself is expendable, as a container is.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def offered() -> Sealing:
 
 
 def refuse_open_files(sealing: Sealing, folder: Path, lab: str, out: Path) -> None:
-    """Refuse to grade a class where a submission can open the files of whoever grades.
+    """Refuse to grade a class where a submission can open the files of the person who grades.
 
     Raises
     ------

@@ -204,7 +204,7 @@ def test_what_this_machine_refuses_to_read_has_no_score_and_stops_nobody(tmp_pat
         tmp_path, "ada.ipynb", "bob/impulse.ipynb", "carl/impulse.ipynb", "carl/inner/x.py", "eve.zip", "zoe/impulse.py"
     )
     refused |= {"ada.ipynb", "bob", "eve.zip", "inner"}
-    for _ in range(2):  # the next run is as good as the first
+    for _ in range(2):  # the next run does the same
         found, failures = read_class(tmp_path, "impulse"), Failures()
         graded = [task.student for task in tasks(found, "", 60.0, with_runs=False, failures=failures)]
         assert graded == ["carl", "zoe"]
