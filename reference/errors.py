@@ -38,6 +38,10 @@ class UnknownName(InvalidInput):
         return UnknownName, (self.kind, self.value, self.choices, self.meant)
 
 
+class CannotWrite(CollisionsError):
+    """The system refuses to write, and another path on the same disk would not help: the disk is full, or broken."""
+
+
 class EngineNotInstalled(CollisionsError):
     """The engine's package is missing on this machine; the message says how to get it."""
 
@@ -79,26 +83,45 @@ class Unforeseen(RunFailed):
 
 
 class WorkerCrashed(RunFailed):
-    """The worker process died while it ran the job."""
+    """The worker process died of what the job did, such as a segmentation fault."""
 
 
-class WorkerStopped(WorkerCrashed):
+class RunLost(RunFailed):
+    """The run was lost to what surrounds it, such as load or short memory; what it would have given is unknown."""
+
+
+class WorkerKilled(RunLost):
+    """The worker process was killed from outside, or could not be started."""
+
+
+class WorkerStopped(RunLost):
     """Nobody waits for the job any more, and its worker process was stopped."""
 
 
-class WorkerTimeout(RunFailed):
+class WorkerTimeout(RunLost):
     """The job went past its time limit and its worker process was stopped."""
+
+
+class OutOfMemory(RunLost):
+    """There was not enough memory for the job."""
 
 
 @contextlib.contextmanager
 def as_failed_run() -> Iterator[None]:
-    """Let the lab's own errors pass, and turn any other exception into `Unforeseen`."""
+    """Let the lab's own errors pass, and turn any other exception into `Unforeseen`, or `OutOfMemory`."""
     try:
         yield
     except CollisionsError:
         raise
+    except MemoryError as error:
+        raise out_of_memory(error) from error
     except Exception as error:
         raise Unforeseen(one_line(error) + place_of(error.__traceback__)) from error
+
+
+def out_of_memory(error: MemoryError) -> OutOfMemory:
+    """What is said of a job for which there was not enough memory, and where in hand-written code."""
+    return OutOfMemory(f"it ran out of memory{place_of(error.__traceback__)} ({one_line(error)})")
 
 
 def listed(words: Sequence[str]) -> str:

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import contextlib
+import errno
+import os
+import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from reference.errors import InvalidInput
+from reference.errors import CannotWrite, InvalidInput
+
+_NO_FAULT_OF_THE_PATH = (errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM)
+"""What goes wrong with any path: the disk or somebody's share of it is full, it fails, or too many files are open."""
 
 
 @contextlib.contextmanager
@@ -19,13 +25,38 @@ def refused_in_words(content: str, path: Path, option: str) -> Iterator[None]:
     Raises
     ------
     InvalidInput
-        If the system refuses what is done inside.
+        If the system refuses what is done inside because of the path.
+    CannotWrite
+        If it refuses because the disk is full, or fails.
     """
     try:
         yield
     except OSError as error:
-        why = f"{error.strerror}; choose another {option}"
-        raise InvalidInput(f"cannot write {content} to {str(path)!r}: {why}") from None
+        if not _is_about(error, path):
+            raise
+        said = f"cannot write {content} to {str(path)!r}: {error.strerror or error}"
+        if error.errno in _NO_FAULT_OF_THE_PATH:
+            raise CannotWrite(said) from None
+        raise InvalidInput(f"{said}; choose another {option}") from None
+
+
+def _is_about(error: OSError, path: Path) -> bool:
+    """Whether an error may be about a path: it names no file, a file there, or a folder above."""
+    if error.filename is None:
+        return True
+    named, wanted = (Path(os.path.abspath(os.fsdecode(each))) for each in (error.filename, path))
+    return named.is_relative_to(wanted if os.path.isdir(wanted) else wanted.parent) or wanted.is_relative_to(named)
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a whole file or none, so that an earlier one is not lost where a new one cannot be written."""
+    target = Path(os.path.realpath(path))  # a link stays a link
+    unfinished = target.with_name(f".unfinished-{os.getpid()}")
+    try:
+        unfinished.write_bytes(content)
+        os.replace(unfinished, target)
+    finally:
+        unfinished.unlink(missing_ok=True)
 
 
 def check_file(content: str, file: Path, option: str) -> None:
@@ -33,7 +64,7 @@ def check_file(content: str, file: Path, option: str) -> None:
 
     Raises
     ------
-    InvalidInput
+    InvalidInput, CannotWrite
         As in `refused_in_words`.
     """
     with refused_in_words(content, file, option):
@@ -50,8 +81,8 @@ def folder_for(content: str, folder: Path, option: str, private: bool = False) -
 
     Raises
     ------
-    InvalidInput
-        As in `refused_in_words`, before anything inside has run.
+    InvalidInput, CannotWrite
+        As in `refused_in_words`, before anything inside has run, and for every error of the system inside.
     """
     new: list[Path] = []
     try:
@@ -59,11 +90,25 @@ def folder_for(content: str, folder: Path, option: str, private: bool = False) -
             new += [each for each in (folder, *folder.parents) if not each.exists()]
             folder.mkdir(mode=0o700 if private else 0o777, parents=True, exist_ok=True)
             _try(folder)
-        yield
+            yield
     finally:
         for each in new:
             with contextlib.suppress(OSError):
                 each.rmdir()  # succeeds only where it is empty
+
+
+@contextlib.contextmanager
+def new_folder_for(content: str, folder: Path, option: str) -> Iterator[None]:
+    """As `folder_for`, for a folder that is new or empty, and is empty again where what is inside does not succeed."""
+    with folder_for(content, folder, option):
+        if any(folder.iterdir()):
+            raise InvalidInput(f"{str(folder)!r} is there already and not empty: name a new folder")
+        try:
+            yield
+        except BaseException:
+            for each in folder.iterdir():
+                shutil.rmtree(each) if each.is_dir() else each.unlink()
+            raise
 
 
 def _try(folder: Path) -> None:

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import io
 import zipfile
 from collections.abc import Collection, Mapping
 from pathlib import Path
+
+from reference.writable import write_whole
 
 _DATE = (1980, 1, 1, 0, 0, 0)
 """The date of all files in an archive, so that the same files make the same bytes on every day."""
 
 
 def pack(out: Path, files: Mapping[str, bytes], executable: Collection[str] = ()) -> None:
-    """Write an archive of files, by their names in it. executable: those that can be run."""
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+    """Write a whole archive of files, by their names in it, or none. executable: those that can be run."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in sorted(files.items()):
             entry = zipfile.ZipInfo(name, _DATE)
             entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, _mode(name, executable) << 16
             archive.writestr(entry, content)
+    write_whole(out, packed.getvalue())
 
 
 def lay_out(folder: Path, files: Mapping[str, bytes], executable: Collection[str] = ()) -> None:

@@ -25,7 +25,7 @@ from labs.guidance.hint_files import hints
 from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
-from reference.writable import check_file, folder_for
+from reference.writable import check_file, new_folder_for, refused_in_words
 
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
@@ -83,13 +83,11 @@ def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> 
         closed = set(open_labs[:-1]) if only else _before(last)
     if out.suffix == ".zip":
         check_file(_CONTENT, out, _OPTION)
-        with tempfile.TemporaryDirectory() as folder:
+        with refused_in_words(_CONTENT, out, _OPTION), tempfile.TemporaryDirectory() as folder:
             _write(Path(folder, NAME), open_labs, closed, out.name)
             pack(out, files_below(Path(folder)))
     else:
-        with folder_for(_CONTENT, out, _OPTION):
-            if any(out.iterdir()):
-                raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
+        with new_folder_for(_CONTENT, out, _OPTION):
             _write(out, open_labs, closed)
     return open_labs
 

@@ -1,7 +1,4 @@
-"""The program `collisions`: its commands, how it reports errors, and its exit codes.
-
-Exit codes: 0 fine; 1 a verdict that counts failed; 2 usage; 3 could not compare; 130 interrupted.
-"""
+"""The program `collisions`, and its commands."""
 
 from __future__ import annotations
 
@@ -13,13 +10,11 @@ from typing import Annotated, Any
 
 import typer
 from rich.logging import RichHandler
-from rich.markup import escape
 from typer.core import TyperGroup
 
-from labs.cli.console import errors, speak_unicode
-from reference.errors import CollisionsError
+from labs.cli.console import errors, own_streams
+from labs.cli.ending import let_signals_interrupt, told, told_whatever_happens
 
-INTERRUPTED = 130
 COMMANDS = ("check", "grade", "export", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
 """Each is a function of the same name in a module of the same name."""
 GROUPS = ("lab",)
@@ -29,7 +24,7 @@ FOR_INSTRUCTORS = ("grade", "export", "lab")
 
 
 class _Commands(TyperGroup):
-    """Loads only the command that is run, and turns errors of the lab into a message and an exit code."""
+    """Loads only the command that is run, and says how it ended if not well."""
 
     def list_commands(self, _: Any) -> list[str]:
         missing = [name for name in FOR_INSTRUCTORS if not importlib.util.find_spec(f"labs.cli.{name}")]
@@ -47,14 +42,8 @@ class _Commands(TyperGroup):
         return command
 
     def invoke(self, ctx: Any) -> Any:
-        try:
+        with told():  # here, because the group itself takes an interrupt for its own
             return super().invoke(ctx)
-        except CollisionsError as error:
-            errors.print(f"[bold red]Error:[/] {escape(str(error))}", highlight=False, soft_wrap=True)
-            raise typer.Exit(error.exit_code) from None
-        except KeyboardInterrupt:
-            errors.print("[bold]Interrupted.[/]")
-            raise typer.Exit(INTERRUPTED) from None
 
 
 app = typer.Typer(
@@ -85,5 +74,7 @@ def options(
 
 def main() -> None:
     """Run the program."""
-    speak_unicode()
-    app()
+    own_streams()
+    let_signals_interrupt()
+    with told_whatever_happens():
+        app()

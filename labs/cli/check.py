@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from labs.cli import ending
 from labs.cli.console import errors, output
 from labs.grading.budget import SECONDS, Budget
 from labs.grading.feedback import report
@@ -15,8 +16,6 @@ from labs.grading.submission import asked_predictions
 from labs.grading.submission.reading import Submission
 from labs.grading.wrapping import folded
 from reference import lecture
-
-WRONG = 1
 
 
 def check(
@@ -41,14 +40,14 @@ def check(
     topics = tuple(lecture.topic(name).name for name in topic) if topic else found
     if not topics:
         _nothing(submission)
-        raise typer.Exit(WRONG)
+        raise typer.Exit(ending.NOT_RIGHT)
     errors.print(f"Checking {submission.name} …", markup=False)
     sheet = pytest_run.run(file, topics, (pytest_run.VISIBLE,), budget=budget)
     for line in report.report(sheet, topics):
         output.print(line, markup=False, soft_wrap=True)
     if made := asked_predictions.in_words(asked_predictions.predictions_of(file)):
         output.print(made, markup=False)
-    raise typer.Exit(0 if report.all_right(sheet) else WRONG)
+    raise typer.Exit(ending.code_of(not report.all_right(sheet)))
 
 
 def _nothing(submission: Submission) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
@@ -16,6 +17,8 @@ from reference.report.published.terminal import print_published
 from reference.report.sections import sections
 from reference.report.terminal import print_comparison
 from reference.running.cache import Cache
+from reference.running.jobs import TIME_LIMIT
+from reference.running.protocol import Result
 
 
 def compare(
@@ -35,6 +38,7 @@ def compare(
     ] = None,
     implementation: jobs.Implementations = jobs.CORRECT,
     workers: jobs.Workers = None,
+    seconds: jobs.Seconds = TIME_LIMIT,
     fresh: jobs.Fresh = False,
     cases: Annotated[bool, typer.Option("--cases", help="Print every case with its numbers.")] = False,
     published: Annotated[
@@ -45,13 +49,20 @@ def compare(
 
     For example:  collisions compare dropped-ball --profile tuned --cases
     """
+    results: Sequence[Result]
+    cache = Cache(fresh=fresh)
     if published:
         _refuse(profile=profile, timestep=timestep, set=assignments, at=at)
-        raise typer.Exit(_published(scenario, engine, implementation, workers, fresh, cases))
-    planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments, parameters=at)
-    results = jobs.run(planned, workers, Cache(fresh=fresh))
-    print_comparison(output, sections(results), cases)
-    raise typer.Exit(jobs.exit_code(results))
+        others = published_jobs.plan(scenario or (), engine or engine_names(), implementation)
+        with jobs.continuing(cache):
+            results = found = jobs.run_work(others, published_jobs.PUBLISHED, workers, cache, seconds=seconds)
+        print_published(output, PublishedTables.of(found), cases)
+    else:
+        planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments, parameters=at)
+        with jobs.continuing(cache):
+            results = compared = jobs.run(planned, workers, cache, seconds=seconds)
+        print_comparison(output, sections(compared), cases)
+    raise typer.Exit(jobs.end(results))
 
 
 def _refuse(**given: object) -> None:
@@ -59,17 +70,3 @@ def _refuse(**given: object) -> None:
     for name, value in given.items():
         if value is not None and value != []:
             raise InvalidInput(f"--{name} does not go with --published: these cases are run as they were published")
-
-
-def _published(
-    names: list[str] | None,
-    engines: list[str] | None,
-    implementation: str,
-    workers: int | None,
-    fresh: bool,
-    cases: bool,
-) -> int:
-    planned = published_jobs.plan(names or (), engines or engine_names(), implementation)
-    results = jobs.run_work(planned, published_jobs.PUBLISHED, workers, Cache(fresh=fresh))
-    print_published(output, PublishedTables.of(results), cases)
-    return jobs.published_exit_code(results)

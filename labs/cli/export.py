@@ -18,7 +18,7 @@ from labs.grading.judging import pytest_run
 from labs.grading.judging.grade import write_private
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
-from reference.writable import check_file, folder_for
+from reference.writable import check_file, new_folder_for, refused_in_words
 
 PLATFORMS = ("gradescope", "classroom50", "nbgrader", "prairielearn")
 _CONTENT, _OPTION = "the export", "--out"
@@ -87,14 +87,13 @@ def _archive(out: Path, lab: str) -> None:
         raise InvalidInput(f"{_OPTION} {str(out)!r} is no archive; for gradescope it ends in .zip")
     check_file(_CONTENT, out, _OPTION)
     bundle = bundles.gradescope(lab)
-    pack(out, bundle.files, bundle.executable)
+    with refused_in_words(_CONTENT, out, _OPTION):
+        pack(out, bundle.files, bundle.executable)
 
 
 def _folder(out: Path, made: Callable[[], Bundle], private: bool = False) -> None:
     """Write a bundle into a new folder. private: it has marks of students, which nobody else may read."""
-    with folder_for(_CONTENT, out, _OPTION):
-        if any(out.iterdir()):
-            raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
+    with new_folder_for(_CONTENT, out, _OPTION):
         bundle = made()
         if private:
             out.chmod(0o700)

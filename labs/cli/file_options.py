@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
 from reference.errors import InvalidInput
-from reference.writable import check_file, refused_in_words
+from reference.writable import check_file, refused_in_words, write_whole
 
 
 @dataclass(frozen=True)
@@ -28,13 +27,8 @@ class FileOption:
 
     def write(self, file: Path, content: bytes) -> None:
         """Write the whole file, or nothing."""
-        unfinished = file.with_name(f".unfinished-{file.name}")
         with refused_in_words(self.content, file, self.name):
-            try:
-                unfinished.write_bytes(content)
-                os.replace(unfinished, file)
-            finally:
-                unfinished.unlink(missing_ok=True)
+            write_whole(file, content)
 
 
 PLOT = FileOption("--plot", (".svg", ".png", ".pdf"), "picture that can be drawn", "the plot")

@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+from labs.cli import ending
 from labs.cli.console import errors, output
 from labs.gradebook import protection, written
 from labs.gradebook.book import STUDENTS, WORKING, Book
@@ -37,10 +38,9 @@ from labs.grading.safe_text import one_line
 from labs.grading.worker.sandbox import Sealing
 from labs.workers import Workers, here, on_cluster
 from reference import lecture
-from reference.errors import InvalidInput
+from reference.errors import CannotWrite, InvalidInput
 from reference.writable import folder_for, refused_in_words
 
-FAILED = 1
 MOST_LINES = 5
 """So many lines of one kind are printed: a person has to read them."""
 MOST_LETTERS = 500
@@ -148,7 +148,7 @@ def grade(
         _say(said)
     _say(one_line(f"To upload: {tables[-1]}, {to.said}." if to else f"Marks: {out / MARKS}.", MOST_LETTERS))
     _say(f"If you are curious: {page} is about the class, and {out / STUDENTS} has a page for each student.")
-    raise typer.Exit(FAILED if failures.said else 0)
+    raise typer.Exit(ending.code_of(bool(failures.said)))
 
 
 def _offered_by(graders: Workers) -> Sealing:
@@ -174,14 +174,14 @@ def _say_all(lines: Sequence[str]) -> None:
 
 @contextmanager
 def _resumable(book: Book, found: Class) -> Iterator[None]:
-    """Say after Ctrl-C what is kept, and how to continue."""
+    """Say after an interrupt, and where a file cannot be written, what is kept and how to continue."""
     try:
         yield
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, CannotWrite, OSError) as error:
         kept = sum(book.grade_of(student) is not None for student in found.handed)
-        _say(
-            f"Stopped. {kept} of {len(found.handed)} submissions have a grade, and all of these are kept. Run the same"
-            " command again: it continues with the others, and then writes marks and pages."
+        error.add_note(
+            f"{kept} of {len(found.handed)} submissions have a grade, and all of these are kept. Run the same command"
+            " again: it continues with the others, and then writes marks and pages."
         )
         raise
 

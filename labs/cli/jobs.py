@@ -11,7 +11,8 @@ from typing import Annotated, TypeVar
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from labs.cli.console import errors
+from labs.cli import ending
+from labs.cli.console import errors, output
 from labs.correct_functions import package_of_correct_functions
 from labs.desk.student_code import named_implementation
 from labs.workers import on_cluster, what_runs_here
@@ -19,21 +20,28 @@ from reference import checks
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
 from reference.comparison.results import Job, JobResult
-from reference.comparison.verdicts import Verdict, failures
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names
-from reference.errors import InvalidInput
-from reference.published.results import PublishedResult
+from reference.engines.profiles import TUNED, counts
+from reference.errors import CannotWrite, InvalidInput
 from reference.published.theirs import published_cases
 from reference.recording.files import never_recorded
+from reference.report.overview import without_answer
 from reference.running.cache import Cache
 from reference.running.jobs import TIME_LIMIT, J, R, Work, recall, run_all
+from reference.running.protocol import Result
 from reference.running.snapping import snapped
 from reference.running.study import SCENARIOS, plan
 from reference.scene.settings import Option
 
 V = TypeVar("V")
 
-FAILED, COULD_NOT_COMPARE = 1, 3
+NO_ANSWER = (Verdict.CRASHED, Verdict.LOST)
+_NO_NUMBER = (*NO_ANSWER, Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS)
+_MORE_TIME = (
+    "A lost run has neither passed nor failed. Give each run more time with --seconds, or make fewer at a time with"
+    " --jobs: the same command then makes those that are missing."
+)
 
 Scenarios = Annotated[
     list[str] | None,
@@ -70,6 +78,9 @@ Cluster = Annotated[
         help="Run on a Dask cluster: tcp://host:8786, or local:4 to start one here.",
         show_default=False,
     ),
+]
+Seconds = Annotated[
+    float, typer.Option("--seconds", metavar="S", min=1e-3, help="How long each run may take; a longer one is lost.")
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything again, and keep the new results in the cache.")]
 
@@ -145,10 +156,14 @@ def _assignment(option: str, text: str, example: str) -> tuple[str, str]:
 
 
 def run(
-    jobs: Sequence[Job], workers: int | None, cache: Cache | None = None, cluster: str | None = None
+    jobs: Sequence[Job],
+    workers: int | None,
+    cache: Cache | None = None,
+    cluster: str | None = None,
+    seconds: float = TIME_LIMIT,
 ) -> list[JobResult]:
     """Run scenarios, as `run_work` does."""
-    return run_work(not_empty(jobs), SCENARIOS, workers, cache, cluster=cluster)
+    return run_work(not_empty(jobs), SCENARIOS, workers, cache, cluster=cluster, seconds=seconds)
 
 
 def not_empty(jobs: Sequence[Job]) -> Sequence[Job]:
@@ -170,12 +185,13 @@ def run_work(
     cache: Cache | None = None,
     had: Sequence[R] | None = None,
     cluster: str | None = None,
+    seconds: float = TIME_LIMIT,
 ) -> list[R]:
     """Take from the cache what it has, run the rest in parallel behind a progress bar, and return the results.
 
     They come in the order of the jobs, whichever run was through first, so that a report has the same bytes each time.
     had: what the cache has, if somebody has looked already. cluster: the address of a Dask cluster, whose workers keep
-    results in caches of their own.
+    results in caches of their own. seconds: how long each run may take.
     """
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     results = list(recall(jobs, cache) if cache and had is None else had or ())
@@ -185,7 +201,7 @@ def run_work(
         _executor(at_a_time(workers), cluster if missing else None) as (executor, count),
         Progress(*columns, console=errors, transient=True) as progress,
         closing(
-            run_all(missing, work, executor, TIME_LIMIT, cache)
+            run_all(missing, work, executor, seconds, cache)
         ) as finished,  # an interrupt stops the runs, then the executor
     ):
         errors.print(f"{_counted(len(jobs), len(results))}, {count} at a time.")
@@ -212,23 +228,32 @@ def _counted(runs: int, cached: int) -> str:
     return f"{runs} run{'s' if runs > 1 else ''}" + (f", {cached} of them from the cache" if cached else "")
 
 
-def exit_code(results: Sequence[JobResult]) -> int:
-    """0 if all is well; 1 if a verdict that counts failed; 3 if a run crashed, or if none gave a number to compare."""
-    rows = [row for result in results for row in result.rows]
-    return exit_code_of([row.verdict for row in rows], bool(failures(rows)))
+@contextmanager
+def continuing(cache: Cache) -> Iterator[None]:
+    """Say of an interrupt, and of a file that cannot be written, whether the runs that have ended are kept."""
+    try:
+        yield
+    except (KeyboardInterrupt, CannotWrite, OSError) as error:
+        error.add_note(cache.promise)
+        raise
 
 
-def published_exit_code(results: Sequence[PublishedResult]) -> int:
-    """The exit code of published cases; all of them count."""
-    verdicts = [row.verdict for result in results for row in result.rows]
-    return exit_code_of(verdicts, Verdict.FAIL in verdicts)
+def end(results: Sequence[Result], judged: bool = True) -> int:
+    """Print which runs crashed or were lost, and why; return the exit code. judged: as in `exit_code`."""
+    for line in without_answer(results):
+        output.print(line, markup=False, soft_wrap=True)
+    if any(row.verdict is Verdict.LOST for result in results for row in result.rows):
+        output.print(_MORE_TIME, soft_wrap=True)
+    return exit_code(results, judged)
 
 
-def exit_code_of(verdicts: Sequence[Verdict], failed: bool) -> int:
-    """The exit code of some verdicts. failed: whether a verdict that counts did."""
-    nothing = all(
-        each in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS) for each in verdicts
-    )
-    if failed:
-        return FAILED
-    return COULD_NOT_COMPARE if nothing or Verdict.CRASHED in verdicts else 0
+def exit_code(results: Sequence[Result], judged: bool = True) -> int:
+    """0 if all is well; 1 if a verdict that counts failed; 3 if a run that counts is missing, or none gave a number.
+
+    A verdict counts by the profile of its job. Other people's cases have none, and all of them count. judged: whether a
+    verdict that failed speaks against the command at all.
+    """
+    found = [(row.verdict, getattr(result.job, "profile", TUNED)) for result in results for row in result.rows]
+    counted = {verdict for verdict, profile in found if counts(profile)}
+    nothing = all(verdict in _NO_NUMBER for verdict, _ in found)
+    return ending.code_of(judged and Verdict.FAIL in counted, nothing or not counted.isdisjoint(NO_ANSWER))

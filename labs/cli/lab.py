@@ -12,12 +12,12 @@ from labs.assessment.seeded import in_words
 from labs.assessment.shares import SHARES
 from labs.building import course_page, guidance_gaps, instructor_page, lessons, marking, notebooks, seeded_questions
 from labs.building.release import release as write_release
+from labs.cli import ending
 from labs.cli.console import errors, output
 from labs.project_folders import COURSE_PAGE, INSTRUCTOR_PAGES, ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
 from reference.errors import InvalidInput
-
-STALE = 1
+from reference.writable import write_whole
 
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Build the course notebooks, and the tree that students get."
@@ -53,13 +53,13 @@ def build(
     stale = [path for path, text in made.items() if not _is(path, text)]
     for path in stale if not check else ():
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(made[path], encoding="utf-8")
+        write_whole(path, made[path].encode())
     shown = [path.relative_to(ROOT).as_posix() for path in stale]
     if check and stale:
         errors.print(
             f"Differs from what its lesson and solutions produce: {', '.join(shown)}. Run: collisions lab build"
         )
-        raise typer.Exit(STALE)
+        raise typer.Exit(ending.NOT_RIGHT)
     output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: up to date.")
 
 

@@ -10,14 +10,14 @@ from typing import Annotated
 import typer
 from rich.table import Table
 
-from labs.cli import jobs
+from labs.cli import ending, jobs
 from labs.cli.console import output
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
-from reference.errors import InvalidInput
+from reference.errors import InvalidInput, RunFailed
 from reference.published import jobs as published_jobs
 from reference.published import recorded as published_recordings
 from reference.published.results import PublishedJob
@@ -25,7 +25,7 @@ from reference.recording import checksums, files
 from reference.recording import making as recordings
 from reference.running.availability import absent
 from reference.running.cache import Cache
-from reference.running.jobs import R
+from reference.running.jobs import TIME_LIMIT, R
 from reference.writable import folder_for
 
 MOST_BYTES = 512 * 2**20
@@ -34,10 +34,14 @@ MOST_BYTES = 512 * 2**20
 
 @dataclass(frozen=True)
 class Machines:
-    """Where runs happen. workers: runs at a time here. cluster: the address of a Dask cluster instead."""
+    """Where runs happen. workers: runs at a time here. cluster: the address of a Dask cluster instead.
+
+    seconds: how long each run may take.
+    """
 
     workers: int | None
     cluster: str | None
+    seconds: float
 
 
 def record(
@@ -45,6 +49,7 @@ def record(
     engine: jobs.Engines = None,
     workers: jobs.Workers = None,
     cluster: jobs.Cluster = None,
+    seconds: jobs.Seconds = TIME_LIMIT,
     fresh: jobs.Fresh = False,
     only_stale: Annotated[
         bool, typer.Option("--only-stale", help="Only what is missing, or of other scenarios or settings than now.")
@@ -63,8 +68,8 @@ def record(
     families, here = _families(scenario), _here(engine)
     folder = out or files.FOLDER
     cache = Cache(fresh=fresh, most_bytes=MOST_BYTES)
-    with folder_for("recordings", folder, "--out"):
-        machines = Machines(workers, cluster)
+    with jobs.continuing(cache), folder_for("recordings", folder, "--out"):
+        machines = Machines(workers, cluster, seconds)
         written = [] if published else _scenarios(families, here, only_stale, machines, cache, folder)
         if not scenario:
             written += _published(here, only_stale, machines, cache, folder)
@@ -87,7 +92,7 @@ def _here(engines: Sequence[str] | None) -> list[str]:
             title = load_engine(name).title
             output.print(f"{title} is not installed here: its recordings stay as they are.", markup=False)
     if not here:
-        raise typer.Exit(jobs.COULD_NOT_COMPARE)
+        raise typer.Exit(ending.COULD_NOT_COMPARE)
     return here
 
 
@@ -104,7 +109,7 @@ def _scenarios(
     if only_stale and not (wanted := _stale(wanted, folder)):
         return []
     planned = [job for family, name in wanted for job in recordings.jobs_of(family, name)]
-    results = jobs.run(planned, machines.workers, cache, machines.cluster)
+    results = jobs.run(planned, machines.workers, cache, machines.cluster, machines.seconds)
     _check(results)
     return recordings.write(_in_order(results, planned), folder)
 
@@ -114,7 +119,8 @@ def _published(engines: Sequence[str], only_stale: bool, machines: Machines, cac
     wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, folder)]
     planned = published_jobs.plan((), wanted) if wanted else []
     work = published_jobs.PUBLISHED
-    results = jobs.run_work(planned, work, machines.workers, cache, cluster=machines.cluster) if planned else []
+    several, where, seconds = machines.workers, machines.cluster, machines.seconds
+    results = jobs.run_work(planned, work, several, cache, cluster=where, seconds=seconds) if planned else []
     return published_recordings.write(_in_order(results, planned), folder)
 
 
@@ -138,8 +144,9 @@ def _check(results: Iterable[JobResult]) -> None:
     """Refuse to keep runs that went wrong; a point or timestep of a grid that blows up is a valid result."""
     for result in results:
         for row in result.rows:
-            if row.verdict is Verdict.NOT_AVAILABLE or (row.verdict is Verdict.CRASHED and not _blew_up(result, row)):
-                raise InvalidInput(f"{row.family} crashed in {row.engine}: {row.note}; nothing is recorded")
+            blew_up = row.verdict is Verdict.CRASHED and _blew_up(result, row)
+            if row.verdict in (*jobs.NO_ANSWER, Verdict.NOT_AVAILABLE) and not blew_up:
+                raise RunFailed(f"{result.label}, {row.case}: {row.why}; nothing is recorded")
 
 
 def _blew_up(result: JobResult, row: Row) -> bool:

@@ -23,7 +23,7 @@ from reference.report.published.tables import PublishedTables
 from reference.report.staging import PAGE, staged
 from reference.running.cache import Cache
 from reference.running.interim import before_the_runs
-from reference.running.jobs import J, R, Work, recall
+from reference.running.jobs import TIME_LIMIT, J, R, Work, recall
 from reference.running.study import SCENARIOS
 
 
@@ -36,6 +36,7 @@ def report(
     implementation: jobs.Implementations = jobs.CORRECT,
     workers: jobs.Workers = None,
     cluster: jobs.Cluster = None,
+    seconds: jobs.Seconds = TIME_LIMIT,
     fresh: jobs.Fresh = False,
 ) -> None:
     """Run the whole catalogue and write one page, with JSON, CSV and figures beside it."""
@@ -44,32 +45,40 @@ def report(
     others = [] if only else published_jobs.plan((), engine or engine_names(), implementation)
     cache, at_a_time = Cache(fresh=fresh), jobs.at_a_time(workers)
     with staged(out):  # a place that cannot be written is refused before anything is read or run
-        scenarios = Part(planned, SCENARIOS, cache, at_a_time, cluster)
-        published = Part(others, published_jobs.PUBLISHED, cache, at_a_time, cluster)
-    first = _first_page(scenarios, published, out)
-    try:
-        with staged(out) as folder:
+        scenarios = Part(planned, SCENARIOS, cache, at_a_time, cluster, seconds)
+        published = Part(others, published_jobs.PUBLISHED, cache, at_a_time, cluster, seconds)
+    with jobs.continuing(cache):
+        first = _first_page(scenarios, published, out)
+        try:
             results, cases = scenarios.run(), published.run()
-            files.write(results, folder, cases, cache, at_a_time)
-    except BaseException:
-        if first:
-            words = f"The runs did not finish. {out / PAGE} is still the first page, {first}."
-            errors.print(words, soft_wrap=True, markup=False, highlight=False)
-        raise
+            with staged(out) as folder:
+                files.write(results, folder, cases, cache, at_a_time)
+        except BaseException as error:
+            if first:
+                error.add_note(f"The report is not finished. {out / PAGE} is still the first page, {first}.")
+            raise
     output.print(verdict_line([row for result in results for row in result.rows]))
     if cases:
         output.print(PublishedTables.of(cases).sentence)
+    code = jobs.end([*results, *cases])
     output.print(f"Open {out / PAGE} in a browser.", soft_wrap=True, markup=False)
-    raise typer.Exit(jobs.exit_code(results) or (jobs.published_exit_code(cases) if cases else 0))
+    raise typer.Exit(code)
 
 
 class Part(Generic[J, R]):
     """The jobs of one catalogue in a report. had: the results that the cache has."""
 
     def __init__(
-        self, planned: Sequence[J], work: Work[J, R], cache: Cache, at_a_time: int, cluster: str | None
+        self,
+        planned: Sequence[J],
+        work: Work[J, R],
+        cache: Cache,
+        at_a_time: int,
+        cluster: str | None,
+        seconds: float,
     ) -> None:
-        self.planned, self.work, self.cache, self.at_a_time, self.cluster = planned, work, cache, at_a_time, cluster
+        self.planned, self.work, self.cache, self.at_a_time = planned, work, cache, at_a_time
+        self.cluster, self.seconds = cluster, seconds
         self.had: list[R] = recall(planned, cache)
 
     @property
@@ -85,7 +94,7 @@ class Part(Generic[J, R]):
         """The results of all jobs, when those that are missing have run."""
         if not self.planned:
             return []
-        return jobs.run_work(self.planned, self.work, self.at_a_time, self.cache, self.had, self.cluster)
+        return jobs.run_work(self.planned, self.work, self.at_a_time, self.cache, self.had, self.cluster, self.seconds)
 
 
 def _first_page(scenarios: Part[Job, JobResult], published: Part[PublishedJob, PublishedResult], out: Path) -> str:

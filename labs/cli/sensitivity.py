@@ -14,10 +14,12 @@ from reference.catalogue.scenarios import catalogue, find
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.recording import sensitivity as kept
-from reference.recording.files import write_json
+from reference.recording.files import json_bytes
 from reference.report.sensitivity import print_sensitivity
 from reference.running.cache import Cache
+from reference.running.jobs import TIME_LIMIT
 from reference.running.sensitivity import SENSITIVITY, SensitivityResult, plan
+from reference.writable import refused_in_words
 
 OUT = FileOption("--out", (".json",), "JSON file", "findings")
 
@@ -29,6 +31,7 @@ def sensitivity(
     ] = None,
     engine: jobs.Engines = None,
     workers: jobs.Workers = None,
+    seconds: jobs.Seconds = TIME_LIMIT,
     fresh: jobs.Fresh = False,
     out: Annotated[Path | None, typer.Option(help="A JSON file for what is found.", show_default=False)] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep what is found for the report.")] = False,
@@ -45,18 +48,21 @@ def sensitivity(
         raise InvalidInput(f"{others[0]!r} is no engine of the lab's own; only what these notice is kept")
     if out:
         OUT.check(out)
-    results = jobs.run_work(planned, SENSITIVITY, workers, Cache(fresh=fresh))
-    found = [result.sensitivity for result in results if result.sensitivity]
-    print_sensitivity(output, found, map(_why_not, results))
-    if out:
-        write_json(out, kept.as_content(found), kept.LINES_DOWN_TO)
-    if keep:
-        kept.keep(found)
-        output.print(f"Kept in {kept.FILE}", soft_wrap=True, markup=False)
-    verdicts = [row.verdict for result in results for row in result.rows]
-    raise typer.Exit(jobs.exit_code_of(verdicts, failed=False))
+    cache = Cache(fresh=fresh)
+    with jobs.continuing(cache):
+        results = jobs.run_work(planned, SENSITIVITY, workers, cache, seconds=seconds)
+        found = [result.sensitivity for result in results if result.sensitivity]
+        print_sensitivity(output, found, map(_why_not, results))
+        if out:
+            OUT.write(out, json_bytes(kept.as_content(found), kept.LINES_DOWN_TO))
+        if keep:
+            with refused_in_words("findings", kept.FILE, "checkout"):
+                kept.keep(found)
+            output.print(f"Kept in {kept.FILE}", soft_wrap=True, markup=False)
+    raise typer.Exit(jobs.end(results, judged=False))
 
 
 def _why_not(result: SensitivityResult) -> str:
-    """Why a job has no finding."""
-    return "" if result.sensitivity else f"{result.label}: {result.rows[0].why}"
+    """Why a job has no finding; empty for one that crashed or was lost, which the last lines say."""
+    row = result.rows[0]
+    return "" if result.sensitivity or row.verdict in jobs.NO_ANSWER else f"{result.label}: {row.why}"

@@ -13,7 +13,7 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from labs.cli import jobs
+from labs.cli import ending, jobs
 from labs.cli.console import output
 from labs.cli.file_options import PAGE, PLOT
 from labs.demonstrations.catalogue import DEMONSTRATIONS, find
@@ -26,6 +26,7 @@ from reference.comparison.results import Job
 from reference.errors import listed
 from reference.report import figures, terminal_plot
 from reference.running.cache import Cache
+from reference.running.jobs import TIME_LIMIT
 from reference.running.study import plan
 
 LEAST_HEIGHT, MOST_WIDTH = 8, 140
@@ -55,6 +56,7 @@ def show(
     ] = None,
     no_plot: Annotated[bool, typer.Option("--no-plot", help="No plot in the terminal.")] = False,
     workers: jobs.Workers = None,
+    seconds: jobs.Seconds = TIME_LIMIT,
     fresh: jobs.Fresh = False,
 ) -> None:
     """Show a demonstration to a class: the question, the plot, the numbers and the lesson.
@@ -72,7 +74,9 @@ def show(
     title, look = (f"{demonstration.title}. ", "bold"), (f" {demonstration.look}", "italic")
     asked = Text.assemble(title, demonstration.question, look)
     output.print(asked)
-    results = jobs.run(planned, workers, Cache(fresh=fresh))
+    cache = Cache(fresh=fresh)
+    with jobs.continuing(cache):
+        results = jobs.run(planned, workers, cache, seconds=seconds)
     outcome = Outcome(demonstration, tuple(results))
     lesson = (Text.assemble(("→ ", "bold"), line) for line in outcome.lesson())
     below = Group(table_of(outcome), *_notes(outcome), *lesson, *_recorded(outcome))
@@ -88,7 +92,7 @@ def show(
             PAGE.write(html, content.encode())
         said = f"The replay is in {html}." if content else f"No run gave poses, so there is no replay and no {html}."
         output.print(said, soft_wrap=True, markup=False)
-    raise typer.Exit(0 if any(row.measured is not None for row in outcome.rows) else jobs.COULD_NOT_COMPARE)
+    raise typer.Exit(ending.code_of(False, unanswered=all(row.measured is None for row in outcome.rows)))
 
 
 def _list() -> None:

@@ -245,5 +245,6 @@ def _what_a_check_says(runs: CaseRuns) -> str:
 
 
 def _is_wrong(line: Line) -> bool:
-    """Whether a run hints at a wrong function: it failed or crashed, or its result is impossible."""
-    return any(row.verdict in (Verdict.FAIL, Verdict.CRASHED) or row.note == MEETS_AGAIN for row in line.result.rows)
+    """Whether a run hints at a wrong function: it failed, crashed or took too long, or its result is impossible."""
+    hints = (Verdict.FAIL, Verdict.CRASHED, Verdict.LOST)
+    return any(row.verdict in hints or row.note == MEETS_AGAIN for row in line.result.rows)

@@ -20,6 +20,7 @@ from reference.errors import (
     EngineNotInstalled,
     NeedsFunction,
     RunFailed,
+    RunLost,
     Undecided,
     Unforeseen,
     as_failed_run,
@@ -94,6 +95,8 @@ def measured(quantity: Quantity, trajectories: Sequence[Trajectory], engine: Eng
         return Number(note=str(error), crashed=True)
     except Undecided as error:
         return Number(note=str(error), undecided=True)
+    except RunLost:
+        raise
     except RunFailed as error:  # the run has no such number: a body that still moves has no stopping distance
         return Number(note=str(error))
     return Number(values) if _finite(np.mean, values) is not None else Number(note=NOTHING_FINITE)
@@ -149,6 +152,8 @@ def predicted(family: Family, case: Case, settings: Settings, method: Method) ->
     try:
         with _OUT_OF_RANGE():
             found = [family.predict(scenario, settings, method) for scenario in case.scenarios]
+    except RunLost:
+        raise
     except RunFailed:
         return []
     return [each for each in found if each is not None] if all(found) else []

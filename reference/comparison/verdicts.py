@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 
 from reference import checks
 from reference.catalogue.family import Expectation
-from reference.engines.profiles import counts
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
     NeedsFunction,
     NoWords,
     RunFailed,
+    RunLost,
     StillRunning,
-    WorkerCrashed,
-    WorkerTimeout,
 )
 
 ALL_CASES = "all"
@@ -44,6 +41,7 @@ class Verdict(StrEnum):
     NEEDS = "needs"
     NOT_AVAILABLE = "not available"
     CRASHED = "crashed"
+    LOST = "lost"
     SHOWN = "shown"
     RUNNING = "running"
 
@@ -151,13 +149,7 @@ def verdict_of(error: Exception) -> Verdict:
         (NoWords, Verdict.NO_WORDS),
         (EngineNotInstalled, Verdict.NOT_AVAILABLE),
         (StillRunning, Verdict.RUNNING),
-        (WorkerTimeout, Verdict.CRASHED),
-        (WorkerCrashed, Verdict.CRASHED),
+        (RunLost, Verdict.LOST),
         (RunFailed, Verdict.CRASHED),
     )
     return next(verdict for kind, verdict in kinds if isinstance(error, kind))
-
-
-def failures(rows: Sequence[Row]) -> list[Row]:
-    """The rows that count against a comparison: those of counted profiles that failed."""
-    return [row for row in rows if counts(row.profile) and row.verdict is Verdict.FAIL]

@@ -43,10 +43,13 @@ class Surveyor:
     def crossings(self, body: Body, start: tuple[float, ...], end: tuple[float, ...]) -> list[float]:
         """MuJoCo gives the first hit of a ray."""
         model, state = self._at(body)
-        way = np.subtract(end, start)
+        way, hit = (
+            np.subtract(end, start),
+            np.empty((1, 1), dtype=np.int32),
+        )  # which 3.3 must give
 
         def first(place: Array) -> float:
-            return float(self._mujoco.mj_ray(model, state, place, way, SEEN, 1, -1, None))
+            return float(self._mujoco.mj_ray(model, state, place, way, SEEN, 1, -1, hit))
 
         return surveying.marched(first, start, end)
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
-from reference.errors import InvalidInput
+from reference.errors import InvalidInput, RunFailed
 from reference.published.answers import Answer
 from reference.published.case import Figure, Published
 from reference.published.judging import judged
@@ -67,8 +67,8 @@ def write(
 
 def _entry(result: PublishedResult) -> dict[str, Any]:
     whole = next((row for row in result.rows if not row.figure), None)
-    if whole is not None and whole.verdict in (Verdict.CRASHED, Verdict.NOT_AVAILABLE):
-        raise InvalidInput(f"{result.job}: {whole.verdict}: {whole.note}; nothing is recorded")
+    if whole is not None and whole.verdict in (Verdict.CRASHED, Verdict.LOST, Verdict.NOT_AVAILABLE):
+        raise RunFailed(f"{result.job}: {whole.verdict}: {whole.note}; nothing is recorded")
     return {
         "fingerprint": fingerprint(published(result.job.case)),
         "answers": {name: asdict(answer) for name, answer in result.answers.items()},

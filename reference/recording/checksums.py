@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from reference.errors import InvalidInput
+from reference.writable import write_whole
 
 CHECKSUMS = "checksums.txt"
 _BETWEEN = "  "
@@ -58,7 +59,7 @@ def renew(folder: Path, written: Iterable[Path]) -> None:
         return
     known = kept(folder) | new
     lines = [f"{known[name]}{_BETWEEN}{name}\n" for name in sorted(known) if (folder / name).exists()]
-    (folder / CHECKSUMS).write_bytes("".join(lines).encode())  # bytes: lines end in the same way on every system
+    write_whole(folder / CHECKSUMS, "".join(lines).encode())  # bytes: lines end in the same way on every system
 
 
 def over_all(folder: Path) -> str:

@@ -20,6 +20,7 @@ from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, listed
 from reference.recording import checksums
 from reference.viewer.tracks import Track, read_tracks
+from reference.writable import write_whole
 
 SCHEMA, VERSION = "collisions-lab/recording", 4
 FOLDER = Path(__file__).parent / "recordings"
@@ -135,12 +136,14 @@ def read_json(path: Path, schema: str, version: int) -> dict[str, Any] | None:
 
 
 def write_json(path: Path, content: Mapping[str, Any], depth: int) -> None:
-    """Write a file of recorded numbers with a line for each entry down to some depth.
-
-    A case that changes then changes one line.
-    """
+    """Write a file of recorded numbers, as `json_bytes` says, and the folders above it."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(_lines(content, depth) + "\n", encoding="utf-8", newline="\n")
+    write_whole(path, json_bytes(content, depth))
+
+
+def json_bytes(content: Mapping[str, Any], depth: int) -> bytes:
+    """Recorded numbers as JSON with a line for each entry down to some depth: a changed case changes one line."""
+    return f"{_lines(content, depth)}\n".encode()
 
 
 def _lines(content: Any, depth: int) -> str:

@@ -17,6 +17,7 @@ MARKS = {
     Verdict.NEEDS: "…",
     Verdict.NOT_AVAILABLE: "–",
     Verdict.CRASHED: "!",
+    Verdict.LOST: "?",
     Verdict.SHOWN: "·",
     Verdict.RUNNING: "▷",
 }
@@ -29,12 +30,14 @@ LEGEND = {
     Verdict.NO_WORDS: "the lab cannot express it yet, no matter what the engine can do",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
-    Verdict.CRASHED: "the run died, hung or gave no usable state",
+    Verdict.CRASHED: "the run died or gave no usable state",
+    Verdict.LOST: "the run was lost to load, a time limit or short memory; it was not judged",
     Verdict.SHOWN: "theory has no figure; the largest value is shown",
     Verdict.RUNNING: "the run has not ended yet; it counts nowhere",
 }
 SEVERITY = (
     Verdict.CRASHED,
+    Verdict.LOST,
     Verdict.FAIL,
     Verdict.DISAGREES,
     Verdict.NEEDS,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from reference.comparison.verdicts import Row, Verdict
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines.profiles import STOCK, counts
+from reference.errors import listed
 from reference.report.sections import Line, Section
+from reference.running.protocol import Result
 
 COUNTED, PLAIN = "what counts", "as installed, and by hand at the step"
 BY_HAND, IN_ENGINES = "for other methods by hand", "for other settings of the engines"
@@ -66,10 +68,11 @@ _SAID = {
 }
 """What is said of so many checks, by their verdicts."""
 _WITHOUT = {
-    "cannot be expressed in the engine": (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
-    "wait for hand-written code": (Verdict.NEEDS,),
+    ("case cannot be", "cases cannot be", "expressed in the engine"): (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
+    ("case waits", "cases wait", "for hand-written code"): (Verdict.NEEDS,),
+    ("run was", "runs were", "lost and not judged"): (Verdict.LOST,),
 }
-"""What is said of cases that have no number. One of them stands for all checks of its case."""
+"""What is said of one case or of several that have no number. One of them stands for all checks of its case."""
 _ALWAYS = (Verdict.FAIL,)
 
 
@@ -87,8 +90,22 @@ def verdict_line(rows: Sequence[Row]) -> str:
         if count or verdicts == _ALWAYS:
             parts.append(words.format(f"{count:,}" if count else "none"))
     cases = {words: sum(row.verdict in verdicts for row in every) for words, verdicts in _WITHOUT.items()}
-    others = [f"{count:,} {'case' if count == 1 else 'cases'} {words}" for words, count in cases.items() if count]
-    return f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {' and '.join(others)}." if others else "")
+    others = [f"{n:,} {one if n == 1 else several} {rest}" for (one, several, rest), n in cases.items() if n]
+    return f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {listed(others)}." if others else "")
+
+
+def without_answer(results: Iterable[Result]) -> list[str]:
+    """A line for each reason for which runs crashed or were lost; it names all of these runs, stock ones as well."""
+    found: dict[tuple[Verdict, str], dict[str, None]] = {}
+    for result in results:
+        cases: dict[tuple[Verdict, str], dict[str, None]] = {}
+        for row in result.rows:
+            if row.verdict in (Verdict.CRASHED, Verdict.LOST):
+                cases.setdefault((row.verdict, row.note), {})[row.case] = None
+        for reason, names in cases.items():
+            which = "" if ALL_CASES in names or result.label.startswith(", ".join(names)) else f" ({', '.join(names)})"
+            found.setdefault(reason, {})[f"{result.label}{which}"] = None
+    return [f"{verdict}: {'; '.join(runs)}: {note}" for (verdict, note), runs in found.items()]
 
 
 def not_counted(rows: Sequence[Row]) -> str:

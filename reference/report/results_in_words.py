@@ -22,6 +22,7 @@ _SAID = {
     Verdict.NO_WORDS: "the lab has no words for this in {who}",
     Verdict.NOT_AVAILABLE: "{who} are not installed here",
     Verdict.CRASHED: "{who} crashed",
+    Verdict.LOST: "{who} have no number because their runs were lost",
     Verdict.RUNNING: "{who} are still running",
     Verdict.SHOWN: "the numbers of {who} are only shown",
 }

@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from reference.writable import folder_for, refused_in_words
+from reference.writable import folder_for
 
 CONTENT, OPTION = "the report", "--out"
 PAGE = "index.html"
@@ -26,15 +26,14 @@ def staged(out: Path) -> Iterator[Path]:
 
     Raises
     ------
-    InvalidInput
-        If `out` is no folder or cannot be written.
+    InvalidInput, CannotWrite
+        If `out` is no folder or cannot be written; if the disk is full.
     """
     with folder_for(CONTENT, out, OPTION):
         stage = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=out))
         try:
             yield stage
-            with refused_in_words(CONTENT, out, OPTION):
-                _move(stage, out)
+            _move(stage, out)
         finally:
             shutil.rmtree(stage, ignore_errors=True)
 

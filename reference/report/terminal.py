@@ -40,6 +40,7 @@ _STYLES = {
     Verdict.DISAGREES: "red",
     Verdict.FAIL: "red",
     Verdict.CRASHED: "bold red",
+    Verdict.LOST: "bold red",
 }
 _RELATIONS = {Relation.ALIKE: "green", Relation.EXPLAINED: "yellow", Relation.APART: "red"}
 

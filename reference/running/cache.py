@@ -35,7 +35,7 @@ from reference.running.shelf import RESULT, Shelf, sealed, unsealed
 from reference.running.sources import Texts
 
 SCHEMA = "collisions-lab result 1\n"
-_INCOMPLETE = (Verdict.CRASHED, Verdict.NOT_AVAILABLE)
+_INCOMPLETE = (Verdict.CRASHED, Verdict.LOST, Verdict.NOT_AVAILABLE)
 """A result with one of these verdicts is not kept: the next run may give a number."""
 
 _log = logging.getLogger(__name__)
@@ -68,6 +68,16 @@ class Cache(Shelf):
         if key == (key_of_recorded(job, texts) if result.recording else key_of(job, texts=texts)):
             kept: Any = result  # of any kind, with a job of its own kind
             self.keep(f"{key}{RESULT}", _packed(dataclasses.replace(kept, job=_identity(job))))
+
+    @property
+    def promise(self) -> str:
+        """What is said to somebody whose command ended early: whether the runs that it made are kept."""
+        if self.refusal:
+            return (
+                f"The runs that have ended are not kept, as the cache in {self.folder} takes no file: {self.refusal}."
+            )
+        how = "The same command without --fresh" if self.fresh else "The same command"
+        return f"The runs that have ended are kept. {how} makes those that are missing."
 
     def _found(self, job: Job, key: str | None) -> Any:
         content = self.read(f"{key}{RESULT}") if key else None

@@ -21,7 +21,7 @@ from collections.abc import Callable
 from typing import Any, ParamSpec, TypeVar
 
 from reference import checks
-from reference.errors import RunFailed, WorkerCrashed, WorkerStopped, WorkerTimeout
+from reference.errors import RunFailed, WorkerCrashed, WorkerKilled, WorkerStopped, WorkerTimeout
 from reference.running.worker import read_message, too_long, write_message
 
 P = ParamSpec("P")
@@ -29,6 +29,8 @@ T = TypeVar("T")
 
 _THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 """Environment variables that keep linear algebra to one thread in each worker."""
+_FROM_OUTSIDE = ("SIGKILL", "SIGTERM", "SIGHUP", "SIGINT", "SIGQUIT", "SIGXCPU")
+"""Signals that a process gets from the system or a person, and not for something that it has done."""
 _GRACE = 1.0
 """How long a worker past its limit has to say where it was, before it is killed, s."""
 
@@ -53,7 +55,9 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     WorkerTimeout
         If the job went past its limit.
     WorkerCrashed
-        If the process died; `WorkerStopped`, a kind of it, if `stop_workers` stopped it.
+        If the process died.
+    WorkerKilled, WorkerStopped
+        If the process was killed from outside, or could not be started; if `stop_workers` stopped it.
     CollisionsError
         As the function raised it. Any other exception arrives as `RunFailed` with its last line.
     """
@@ -62,7 +66,7 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     result: T
     try:
         result = worker.call(function, arguments, named, timeout)
-    except (WorkerCrashed, WorkerTimeout) as error:
+    except (WorkerCrashed, WorkerKilled, WorkerTimeout) as error:
         _log.log(logging.INFO if worker.unwanted else logging.WARNING, "worker %d is lost: %s", worker.pid, error)
         worker.stop()
         if worker.unwanted:
@@ -76,7 +80,7 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
 
 
 def stop_workers() -> None:
-    """Stop every worker process, idle or busy; the job of a busy one fails with `WorkerCrashed`."""
+    """Stop every worker process, idle or busy; the job of a busy one fails with `WorkerStopped`."""
     with _lock:
         idle, _idle[:] = list(_idle), []
         for worker in _workers:
@@ -95,7 +99,10 @@ def _take() -> _Worker:
             return worker
         _log.warning("worker %d died while it was idle", worker.pid)
         worker.stop()
-    worker = _Worker()
+    try:
+        worker = _Worker()
+    except OSError as error:  # no memory, no process number or no file descriptor is left
+        raise WorkerKilled(f"no process could be started for it: {error.strerror}") from None
     with _lock:
         _workers.add(worker)
     _log.info("worker %d started", worker.pid)
@@ -166,9 +173,9 @@ class _Worker:
         if expired.is_set():
             raise WorkerTimeout(too_long(timeout))
         if answer is None and self.unwanted:
-            raise WorkerCrashed("its process was stopped before it could answer")
+            raise WorkerKilled("its process was stopped before it could answer")
         if answer is None:
-            raise WorkerCrashed(f"its process died ({_describe_exit(self._process.wait())})")
+            raise _ended(self._process.wait())
         self.between_jobs = True
         try:
             succeeded, value = pickle.loads(answer)
@@ -196,8 +203,12 @@ class _Worker:
                 self._process.kill()
 
 
-def _describe_exit(code: int) -> str:
+def _ended(code: int) -> RunFailed:
+    """What is said of a process that ended before it had answered."""
+    how = f"exit code {code}"
     if code < 0:
         with contextlib.suppress(ValueError):
-            return signal.Signals(-code).name
-    return f"exit code {code}"
+            how = signal.Signals(-code).name
+    if how in _FROM_OUTSIDE:
+        return WorkerKilled(f"its process was killed from outside ({how}), as a system does that runs out of memory")
+    return WorkerCrashed(f"its process died ({how})")

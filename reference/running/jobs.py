@@ -17,9 +17,10 @@ from reference.errors import (
     InvalidInput,
     NeedsFunction,
     RunFailed,
+    RunLost,
     WorkerCrashed,
     WorkerStopped,
-    WorkerTimeout,
+    one_line,
 )
 from reference.running.cache import Cache, key_of, key_of_recorded
 from reference.running.isolate import run_isolated, stop_workers
@@ -86,13 +87,24 @@ def run_all(
     Results that a cache has are taken from it, in the executor's threads, without a worker process. Closing the
     generator early, also by an interrupt, stops every worker process and waits for no job.
     """
-    waiting: list[Future[R]] = []
+    waiting: dict[Future[R], J] = {}
     try:
-        waiting.extend(executor.submit(run_one, job, work, timeout, cache) for job in jobs)
+        waiting.update((executor.submit(run_one, job, work, timeout, cache), job) for job in jobs)
         for future in as_completed(waiting):
-            yield future.result()
+            yield _result(future, waiting[future], work)
     finally:
         _abandon(waiting)
+
+
+def _result(future: Future[R], job: J, work: Work[J, R]) -> R:
+    """What a job gave; where the executor itself lost it, as a cluster does whose machine is gone, a row says so."""
+    try:
+        return future.result()
+    except CollisionsError:
+        raise
+    except Exception as error:
+        _log.warning("%s is lost", job, exc_info=error)
+        return work.refused(job, RunLost(f"what should run it gave no answer ({one_line(error)})"), 0.0)
 
 
 def each_isolated(function: Callable[[A], B], arguments: Sequence[A], workers: int) -> list[B]:
@@ -148,8 +160,8 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
 
 
 def _is_lost(error: CollisionsError) -> bool:
-    """Whether an error says that a job's process died, or was stopped at its limit."""
-    return isinstance(error, WorkerCrashed | WorkerTimeout)
+    """Whether an error says that a job's process died, was killed or was stopped at its limit."""
+    return isinstance(error, WorkerCrashed | RunLost)
 
 
 def _part_by_part(job: J, work: Work[J, R], timeout: float, refused: R) -> R | None:

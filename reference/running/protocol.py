@@ -27,8 +27,16 @@ class Row(Protocol):
     """One number of a result."""
 
     @property
+    def case(self) -> str:
+        """The case that it belongs to, or that it speaks of a whole run."""
+
+    @property
     def verdict(self) -> Verdict:
         """The verdict on the number."""
+
+    @property
+    def note(self) -> str:
+        """Why there is no number, or why it deviates."""
 
 
 class Result(Protocol):

@@ -35,10 +35,14 @@ def default_folder() -> Path:
 
 
 class Shelf:
-    """Files in a folder. fresh: take nothing from the folder, but keep new files. most_bytes: how much it may hold."""
+    """Files in a folder. fresh: take nothing from the folder, but keep new files. most_bytes: how much it may hold.
+
+    refusal: why the system would not let the last file be written that is not kept; empty where all are kept.
+    """
 
     def __init__(self, folder: Path | None = None, fresh: bool = False, most_bytes: int = MOST_BYTES) -> None:
         self.folder, self.fresh, self.most_bytes = folder or default_folder(), fresh, most_bytes
+        self.refusal = ""
 
     def read(self, name: str) -> bytes | None:
         """The content of a file, which counts as used just now; None where there is none that can be read."""
@@ -60,6 +64,7 @@ class Shelf:
             self._write(self.folder / name, content)
             self._make_room()
         except OSError as error:
+            self.refusal = error.strerror or str(error)
             _log.info("%s: not kept, the cache cannot be written: %s", name, error)
 
     def _write(self, path: Path, content: bytes) -> None:

@@ -18,7 +18,7 @@ from reference.comparison.curves import Series
 from reference.comparison.error_split import Split, split
 from reference.comparison.errors_by_settings import Question
 from reference.comparison.results import Job, JobResult
-from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
@@ -239,8 +239,9 @@ def _case_by_case(job: Job) -> list[Job]:
 def _joined(job: Job, found: list[JobResult]) -> JobResult:
     """One result of the results of single cases. Of a case without numbers the row names the case.
 
-    A result of the whole job may be among them, which says how its process was lost. Where the job has studies, it was
-    lost in one of them, and the row names the case that they are of.
+    A result of the whole job may be among them, which says how its process was lost. Where the job has studies, these
+    are missing, and the row names the case that they are of: a process that crashed did so in one of them. Otherwise a
+    job that was lost to load has all its numbers now.
     """
     family = catalogue()[job.family]
     ran = [each for each in found if each.version] or found
@@ -252,7 +253,11 @@ def _joined(job: Job, found: list[JobResult]) -> JobResult:
             if row.case == ALL_CASES and each.job != job:
                 row = replace(row, case=each.job.cases[0])
             elif row.case == ALL_CASES and job.with_studies:
-                row = replace(row, case=studied, note=f"{row.note} in a study of {studied}, not in a run of its own")
+                lost = row.verdict is Verdict.LOST
+                where = "; its studies are missing" if lost else f" in a study of {studied}, not in a run of its own"
+                row = replace(row, case=studied, note=f"{row.note}{where}")
+            elif row.case == ALL_CASES and row.verdict is Verdict.LOST and each.job == job:
+                continue
             rows.append(row)
     return replace(
         plotted,

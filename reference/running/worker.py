@@ -15,7 +15,7 @@ import time
 from collections.abc import Iterator
 from typing import IO
 
-from reference.errors import CollisionsError, RunFailed, WorkerTimeout, one_line, place_of
+from reference.errors import CollisionsError, RunFailed, WorkerTimeout, one_line, out_of_memory, place_of
 
 _HEADER = 8
 """How many bytes hold a message's length."""
@@ -44,7 +44,7 @@ def _read_exactly(stream: IO[bytes], length: int) -> bytes:
 
 def too_long(timeout: float) -> str:
     """What is said of a job that went past its limit, s."""
-    return f"no answer within {timeout:g} s; its process was stopped"
+    return f"it took longer than {timeout:g} s and was stopped"
 
 
 class _OutOfTime(BaseException):
@@ -104,6 +104,8 @@ def _portable(error: Exception) -> CollisionsError:
             pickle.loads(pickle.dumps(error))
             return error
         return RunFailed(str(error))
+    if isinstance(error, MemoryError):
+        return out_of_memory(error)
     return RunFailed(one_line(error) + place_of(error.__traceback__))
 
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from reference.errors import InvalidInput
 from reference.viewer.packing import second_differences
 from reference.viewer.poses import FARTHEST, Poses, unit_quaternions
+from reference.writable import write_whole
 
 SCHEMA, VERSION = "collisions-lab/poses", 2
 LENGTH, TURN = 1e-5, 1e-4
@@ -96,13 +97,15 @@ def write_tracks(path: Path, tracks: Iterable[Track], made: Mapping[str, str]) -
     planes = _planes(b"".join(zlib.decompress(track.packed) for track in tracks))
     curves = _planes(b"".join(track.curve for track in tracks))
     text = np.frombuffer(json.dumps(index, ensure_ascii=False).encode(), dtype=np.uint8)
-    with zipfile.ZipFile(path, "w") as file:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as file:
         for name, values in (("index", text), ("planes", planes), ("curves", curves)):
             entry = zipfile.ZipInfo(f"{name}.npy", _NO_DATE)
             entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, 3
             content = io.BytesIO()
             np.lib.format.write_array(content, np.ascontiguousarray(values), allow_pickle=False)
             file.writestr(entry, content.getvalue(), compresslevel=9)
+    write_whole(path, packed.getvalue())
 
 
 def _planes(numbers: bytes) -> NDArray[np.uint8]:

@@ -110,7 +110,9 @@ def make() -> int:
         f"The live runs took {time.monotonic() - began:.0f} s and {used:.0f} s of processor time. This machine takes"
         f" {here:.2f} times as long as the one of the allowances."
     )
-    lost = [(result.job, row) for result in results for row in result.rows if row.verdict is Verdict.CRASHED]
+    lost = [
+        (result.job, row) for result in results for row in result.rows if row.verdict in (Verdict.CRASHED, Verdict.LOST)
+    ]
     for job, row in lost:
         print(f"{job}, {row.case}: {row.note}")
     return 1 if lost else 0

@@ -33,7 +33,8 @@ LEGEND = {
     Verdict.NO_WORDS: "the lab cannot express it yet",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
-    Verdict.CRASHED: "the run died, hung or gave no usable state",
+    Verdict.CRASHED: "the run died or gave no usable state",
+    Verdict.LOST: "the run was lost to load, a time limit or short memory; it was not judged",
     Verdict.RUNNING: "the run has not ended yet",
 }
 

@@ -22,7 +22,7 @@ from reference.report.published.tables import (
 )
 from reference.report.terminal import print_legend, short_title, style_of
 
-_ALWAYS = tuple(map(str, (Verdict.FAIL, Verdict.CRASHED, Verdict.NEEDS, Verdict.NOT_AVAILABLE)))
+_ALWAYS = tuple(map(str, (Verdict.FAIL, Verdict.CRASHED, Verdict.LOST, Verdict.NEEDS, Verdict.NOT_AVAILABLE)))
 """The verdicts whose reasons the overview prints as well; it prints all other reasons with the cases."""
 
 

@@ -50,7 +50,7 @@ def without_runs(monkeypatch):
     calls = []
 
     def use(*missing: str) -> list[list[Job]]:
-        def run(planned, workers, cache):
+        def run(planned, workers, cache, seconds):
             calls.append(list(planned))
             numbers = itertools.count(1)
             return [absent(job) if job.engine in missing else made(job, 0.1 + next(numbers) / 100) for job in planned]

@@ -74,7 +74,7 @@ def alive(pid: int) -> bool:
     return bool(state.strip()) and not state.strip().startswith("Z")
 
 
-def interrupt(command: list[str], running: Path, workers: int) -> tuple[int, str, list[int]]:
+def interrupt(command: list[str], running: Path, workers: int, number: int) -> tuple[int, str, list[int]]:
     """Start the program, interrupt it when its workers have said their numbers; return code, errors and numbers."""
     program = subprocess.Popen([sys.executable, "-c", START, *command], stderr=subprocess.PIPE, text=True)
     try:
@@ -84,7 +84,7 @@ def interrupt(command: list[str], running: Path, workers: int) -> tuple[int, str
             assert program.poll() is None, program.stderr.read()
             time.sleep(0.02)
         start = time.monotonic()
-        program.send_signal(signal.SIGINT)
+        program.send_signal(number)
         _, said = program.communicate(timeout=ENOUGH)
         assert time.monotonic() - start < PROMPTLY
     finally:
@@ -93,9 +93,9 @@ def interrupt(command: list[str], running: Path, workers: int) -> tuple[int, str
 
 
 @pytest.mark.skipif(os.name != "posix", reason="where a process can be interrupted by a signal")
-@pytest.mark.parametrize("command", [pytest.param("compare", marks=pytest.mark.slow), "report"])
+@pytest.mark.parametrize(("command", "number"), [("compare", signal.SIGINT), ("report", signal.SIGTERM)])
 @pytest.mark.slow
-def test_an_interrupt_ends_the_program_with_130_and_leaves_nothing(command, tmp_path, odd):
+def test_an_interrupt_ends_the_program_with_130_and_leaves_nothing(command, number, tmp_path, odd):
     running, out = tmp_path / "running", tmp_path / "out"
     running.mkdir()
     out.mkdir()
@@ -105,9 +105,11 @@ def test_an_interrupt_ends_the_program_with_130_and_leaves_nothing(command, tmp_
     body = f"{begun}; time.sleep(600 if settings.timestep > 0.01 else 0)"
     engine = ("--engine", odd(body), "--jobs", "2")
     chosen = ["compare", QUICK[0], *engine] if command == "compare" else ["report", "--only", QUICK[0], *engine]
-    code, said, workers = interrupt([*chosen, *(["--out", str(out)] if command == "report" else [])], running, 2)
+    wish = [*chosen, *(["--out", str(out)] if command == "report" else [])]
+    code, said, workers = interrupt(wish, running, 2, number)
     assert code == 130
-    assert "Interrupted." in said
+    assert ("Interrupted by SIGTERM." if number == signal.SIGTERM else "Interrupted.") in said
+    assert "The runs that have ended are kept." in said
     assert "Traceback" not in said
     assert len(workers) == 2
     assert not any(map(alive, workers))

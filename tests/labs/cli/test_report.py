@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -114,7 +115,8 @@ def test_a_first_page_from_recordings_is_there_until_the_runs_are_through(writte
     assert said.code == 130
     assert "first page, written from recordings at" in said.error
     assert (
-        f"The runs did not finish. {out / 'index.html'} is still the first page, written from recordings" in said.error
+        f"The report is not finished. {out / 'index.html'} is still the first page, written from recordings"
+        in said.error
     )
     assert files_in(out) == at_the_start, "it is left as it was written"
     page = at_the_start["index.html"].decode()
@@ -132,6 +134,28 @@ def test_a_first_page_from_recordings_is_there_until_the_runs_are_through(writte
     finished = files_in(out)
     timeless = earlier.keys() - {"timings.json", "provenance.json"}
     assert {name: finished[name] for name in timeless} == {name: earlier[name] for name in timeless}
+
+
+def test_a_report_on_a_full_disk_ends_with_3_and_the_next_one_continues(written, tmp_path, monkeypatch):
+    out = tmp_path / "out"
+    shutil.copytree(written.folder, out)
+    earlier = files_in(out)
+    monkeypatch.setenv("COLLISIONS_CACHE", str(written.cache))
+
+    def full(path: Path, text: str) -> None:
+        if path.name == "rows.csv":
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))  # as `write` raises it: it knows no name
+        path.write_text(text, encoding="utf-8")
+
+    with monkeypatch.context() as patched:
+        patched.setattr("reference.report.files._write", full)
+        said = report(out)
+    assert said.code == 3
+    assert f"Error: cannot write the report to {str(out)!r}: No space left on device" in said.error
+    assert "The runs that have ended are kept. The same command makes those that are missing." in said.error
+    assert (files_in(out), [name for name in os.listdir(out) if name.startswith(".")]) == (earlier, [])
+    again = report(out)
+    assert (again.code, "3 of them from the cache" in again.error) == (0, True)
 
 
 # What is refused

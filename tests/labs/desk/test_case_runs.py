@@ -74,7 +74,7 @@ def test_an_endless_loop_in_a_run_is_stopped_and_its_place_named(lab, cells, mon
     loop = "def signed_distance(point, normal, offset):\n    while True:\n        time.sleep(0.01)"
     cells += [*right_cells(), "import time", loop]
     lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
-    told = "no answer within 3 s; its process was stopped, at cell [4], line "
+    told = "it took longer than 3 s and was stopped, at cell [4], line "
     assert told in str(lab.shown[-1])
     assert "in signed_distance" in str(lab.shown[-1])
 

@@ -15,17 +15,19 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.comparison.compare import compare_case
-from reference.comparison.verdicts import ALL_CASES, Row, Verdict, failures, judge, verdict_of
+from reference.comparison.verdicts import Row, Verdict, judge, verdict_of
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
     InvalidInput,
     NeedsFunction,
+    OutOfMemory,
     RunFailed,
     Unforeseen,
     UnknownName,
     WorkerCrashed,
+    WorkerKilled,
     WorkerTimeout,
 )
 from reference.prediction.predicted import Prediction
@@ -41,7 +43,9 @@ NO_TRAJECTORY = {
     RunFailed: Verdict.CRASHED,
     Unforeseen: Verdict.CRASHED,
     WorkerCrashed: Verdict.CRASHED,
-    WorkerTimeout: Verdict.CRASHED,
+    WorkerTimeout: Verdict.LOST,
+    WorkerKilled: Verdict.LOST,
+    OutOfMemory: Verdict.LOST,
 }
 errors = pytest.mark.parametrize("error", NO_TRAJECTORY, ids=lambda error: error.__name__)
 
@@ -395,6 +399,16 @@ def test_an_unforeseen_error_of_a_measurement_costs_its_quantity_alone(expect):
     assert (found.verdict, found.measured) == (Verdict.PASS if expect else Verdict.SHOWN, 1.0)
 
 
+def test_a_measurement_without_enough_memory_loses_its_case_and_fails_nothing():
+    def greedy(trajectory: Trajectory) -> float:
+        return float(np.zeros(2**50).sum())
+
+    entry = family(lambda *_: BIASED)
+    (row,) = compare(replace(entry, quantities=(replace(entry.quantities[0], measure=greedy),)))
+    assert (row.verdict, row.measured) == (Verdict.LOST, None)
+    assert row.note.startswith("it ran out of memory, at line ")
+
+
 @pytest.mark.parametrize("error", [InvalidInput("no such moon"), UnknownName("moon", "phobos", ())], ids=str)
 def test_a_mistake_of_the_caller_is_raised(error):
     with pytest.raises(type(error)) as caught:
@@ -405,21 +419,6 @@ def test_a_mistake_of_the_caller_is_raised(error):
 def test_an_interrupt_is_raised():
     with pytest.raises(KeyboardInterrupt):
         compare(family(), Still(KeyboardInterrupt()))
-
-
-# Counting
-
-
-def rows_of_every_kind() -> list[Row]:
-    return [
-        Row("family", ALL_CASES, "engine", profile, "quantity", "m", verdict)
-        for profile in ("tuned", "slide", "stock")
-        for verdict in Verdict
-    ]
-
-
-def test_only_tuned_rows_that_failed_count_as_failures():
-    assert [(row.profile, row.verdict) for row in failures(rows_of_every_kind())] == [("tuned", Verdict.FAIL)]
 
 
 # Looking up

@@ -59,7 +59,7 @@ SAID = {
     "raising": (Verdict.CRASHED, f"RuntimeError: {MESSAGE}"),
     "not a number": (Verdict.CRASHED, "are not finite from t = 0.01 s on"),
     "missing": (Verdict.NOT_AVAILABLE, "pip install no_such_package"),
-    "hanging": (Verdict.CRASHED, "no answer within 1 s"),
+    "hanging": (Verdict.LOST, "it took longer than 1 s"),
 }
 
 

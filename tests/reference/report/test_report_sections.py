@@ -21,6 +21,7 @@ from reference.report.sections import Line, Section, sections
 REST = catalogue()["ball-to-rest"]
 WORST_FIRST = (
     Verdict.CRASHED,
+    Verdict.LOST,
     Verdict.FAIL,
     Verdict.DISAGREES,
     Verdict.NEEDS,
@@ -329,9 +330,10 @@ def test_the_expected_value_is_that_of_a_line_or_else_of_theory():
             " and 2 failed.",
         ),
         (
-            [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
+            [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE, Verdict.LOST],
             "Of 3 checks that count, 1 came out as predicted and near theory, none failed and 2 gave no answer."
-            " Besides, 1 case cannot be expressed in the engine and 1 case wait for hand-written code.",
+            " Besides, 1 case cannot be expressed in the engine, 1 case waits for hand-written code and 1 run was lost"
+            " and not judged.",
         ),
         (
             [Verdict.PASS, Verdict.SHOWN],

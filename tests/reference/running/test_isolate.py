@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import logging
 import math
 import os
@@ -17,7 +18,16 @@ import numpy as np
 import pytest
 
 from reference import lecture
-from reference.errors import InvalidInput, RunFailed, UnknownName, WorkerCrashed, WorkerTimeout
+from reference.errors import (
+    InvalidInput,
+    OutOfMemory,
+    RunFailed,
+    UnknownName,
+    WorkerCrashed,
+    WorkerKilled,
+    WorkerStopped,
+    WorkerTimeout,
+)
 from reference.running import isolate
 from reference.running.isolate import run_isolated, stop_workers
 
@@ -172,7 +182,7 @@ def test_a_job_that_does_not_pickle_is_refused_and_costs_no_worker():
         ("__import__('os')._exit(3)", "exit code 3"),
         ("__import__('sys').exit(4)", "exit code 4"),
         ("__import__('os').abort()", "SIGABRT"),
-        ("__import__('os').kill(__import__('os').getpid(), 9)", "SIGKILL"),
+        ("__import__('os').kill(__import__('os').getpid(), 11)", "SIGSEGV"),
     ],
 )
 def test_a_worker_that_dies_loses_its_job_and_reports_how(death, how):
@@ -182,10 +192,34 @@ def test_a_worker_that_dies_loses_its_job_and_reports_how(death, how):
     assert work("1 + 1") == 2
 
 
+@pytest.mark.parametrize("name", ["SIGKILL", "SIGTERM", "SIGHUP"])
+def test_a_worker_that_is_killed_from_outside_loses_its_job_without_blame(name):
+    with pytest.raises(WorkerKilled, match=rf"its process was killed from outside \({name}\)"):
+        work(f"__import__('os').kill(__import__('os').getpid(), __import__('signal').{name})")
+    assert work("1 + 1") == 2
+
+
+def test_a_job_without_enough_memory_is_lost_and_reports_what_it_wanted():
+    for job in ("__import__('numpy').zeros(2**50)", "bytearray(2**60)"):
+        with pytest.raises(OutOfMemory, match=r"it ran out of memory .*MemoryError"):
+            work(job)
+    assert work("1 + 1") == 2
+
+
+def test_a_job_for_which_no_process_can_be_started_is_lost(monkeypatch):
+    def refuse(*_, **__):
+        raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+
+    stop_workers()
+    monkeypatch.setattr(isolate.subprocess, "Popen", refuse)
+    with pytest.raises(WorkerKilled, match="no process could be started for it: Resource temporarily unavailable"):
+        work("1 + 1")
+
+
 def test_a_job_past_its_limit_is_stopped_with_its_process():
     pid = worker_pid()
     start = time.monotonic()
-    with pytest.raises(WorkerTimeout, match=r"no answer within 0\.3 s; its process was stopped"):
+    with pytest.raises(WorkerTimeout, match=r"it took longer than 0\.3 s and was stopped"):
         work("__import__('time').sleep(600)", timeout=0.3)
     assert 0.3 <= time.monotonic() - start < 30  # a busy machine may take seconds, the job ten minutes
     assert not alive(pid)
@@ -294,7 +328,7 @@ def test_stopping_ends_a_busy_worker_and_its_job_at_once(tmp_path, caplog):
     with sleeper(tmp_path) as (pid, future):
         start = time.monotonic()
         stop_workers()
-        with pytest.raises(WorkerCrashed, match="its process was stopped before it could answer"):
+        with pytest.raises(WorkerStopped, match="its process was stopped before it could answer"):
             future.result(LIMIT)
         assert time.monotonic() - start < 30  # a busy machine may take seconds, the job ten minutes
     assert not alive(pid)
@@ -356,7 +390,7 @@ def test_the_log_says_when_a_worker_starts_and_why_one_was_lost(caplog):
         ("INFO", f"worker {first} started"),
         ("WARNING", f"worker {first} is lost: its process died (exit code 3)"),
         ("INFO", f"worker {second} started"),
-        ("WARNING", f"worker {second} is lost: no answer within 0.3 s; its process was stopped"),
+        ("WARNING", f"worker {second} is lost: it took longer than 0.3 s and was stopped"),
         ("INFO", f"worker {third} started"),
         ("WARNING", f"worker {third} died while it was idle"),
         ("INFO", f"worker {fourth} started"),
@@ -369,7 +403,7 @@ def test_a_job_past_its_limit_reports_the_line_of_hand_written_code(tmp_path):
         "def forever():\n    try:\n        while True:\n            pass\n    except Exception:\n        pass\n"
     )
     code = f"exec(compile(open({str(path)!r}).read(), {str(path)!r}, 'exec'), names := {{}}) or names['forever']()"
-    told = r"no answer within 0\.5 s; its process was stopped, at line [34] of slow\.py, in forever"
+    told = r"it took longer than 0\.5 s and was stopped, at line [34] of slow\.py, in forever"
     with pytest.raises(WorkerTimeout, match=told):
         work(code, timeout=0.5)
     assert work("1 + 1") == 2
@@ -377,6 +411,6 @@ def test_a_job_past_its_limit_reports_the_line_of_hand_written_code(tmp_path):
 
 def test_a_job_that_ignores_signals_is_stopped_anyway():
     block = "(s := __import__('signal')).pthread_sigmask(s.SIG_BLOCK, {s.SIGALRM}) or __import__('time').sleep(600)"
-    with pytest.raises(WorkerTimeout, match=r"no answer within 0\.3 s; its process was stopped"):
+    with pytest.raises(WorkerTimeout, match=r"it took longer than 0\.3 s and was stopped"):
         work(block, timeout=0.3)
     assert work("1 + 1") == 2

@@ -12,6 +12,7 @@ import sys
 import threading
 import time
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,7 +22,7 @@ from odd_engines import ENOUGH, GOOD, engine_file, results_of
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.comparison.verdicts import ALL_CASES, Verdict
-from reference.errors import InvalidInput
+from reference.errors import InvalidInput, WorkerKilled
 from reference.recording import files
 from reference.running import isolate
 from reference.running.isolate import stop_workers
@@ -38,6 +39,8 @@ DEATHS = {
 }
 if os.name == "posix":  # where a process can be killed by a signal
     DEATHS["killed"] = ("os.kill(os.getpid(), signal.SIGKILL)", "SIGKILL")
+LOST = ("killed",)
+"""Those of the deaths that say nothing of the engine."""
 
 
 def test_a_job_that_fails_gives_one_row_and_the_others_finish(tmp_path):
@@ -49,7 +52,7 @@ def test_a_job_that_fails_gives_one_row_and_the_others_finish(tmp_path):
     assert len(results) == len(odd) + 2
     for job, note in odd.items():
         (row,) = results[job].rows
-        assert row.verdict is Verdict.CRASHED, note
+        assert row.verdict is (Verdict.LOST if Path(job.engine).stem in LOST else Verdict.CRASHED), note
         assert note in row.note
         assert (row.family, row.engine, row.profile) == ("dropped-ball", "odd", "tuned")
         assert row.case in (ALL_CASES, "e=0.5")
@@ -65,13 +68,13 @@ def test_a_job_that_hangs_is_stopped_and_the_others_finish(tmp_path):
     hung = Job("dropped-ball", engine_file(tmp_path, "hung", "threading.Event().wait()"), "tuned", ("e=0.5",))
     results = results_of([hung, GOOD], timeout=8.0)  # s: the good one takes one or two, its process's start included
     (row,) = results[hung].rows
-    assert row.verdict is Verdict.CRASHED
-    assert "no answer within 8 s" in row.note
+    assert row.verdict is Verdict.LOST
+    assert "it took longer than 8 s and was stopped" in row.note
     assert results[hung].seconds >= 8
     assert [row.verdict for row in results[GOOD].rows] == [Verdict.PASS] * 4
 
 
-DIES, HANGS = ("os._exit(7)", "exit code 7"), ("threading.Event().wait()", "no answer within 6 s")
+DIES, HANGS = ("os._exit(7)", "exit code 7"), ("threading.Event().wait()", "it took longer than 6 s")
 
 
 @pytest.mark.parametrize(
@@ -82,7 +85,7 @@ def test_a_case_that_hangs_or_dies_costs_no_other_case_its_numbers(ending, note,
     engine, cases = engine_file(tmp_path, "uneven", body), ("e=0.8", "e=0.5", "e=0.2")
     job = Job("dropped-ball", engine, "tuned", cases, with_studies=True)
     result = run_one(job, SCENARIOS, 6.0 * len(cases))
-    lost = [row for row in result.rows if row.verdict is Verdict.CRASHED]
+    lost = [row for row in result.rows if row.verdict in (Verdict.CRASHED, Verdict.LOST)]
     assert [row.case for row in lost] == ["e=0.8"]
     assert note in lost[0].note
     assert {row.case for row in result.rows if row.measured is not None} == {"e=0.5", "e=0.2"}
@@ -103,6 +106,41 @@ def test_a_process_that_dies_in_a_study_leaves_the_cases_their_numbers_and_a_row
     assert (lost.case, lost.quantity, lost.verdict) == ("e=0.5", "", Verdict.CRASHED)
     assert lost.note == "its process died (exit code 7) in a study of e=0.5, not in a run of its own"
     assert (result.job, result.convergence, result.version != "") == (job, None, True)
+
+
+def test_a_job_whose_process_was_killed_runs_again_case_by_case_and_nothing_is_lost(monkeypatch):
+    calls = []
+
+    def killed_at_first(run, timeout, job):
+        calls.append((job.cases, timeout))
+        if len(calls) == 1:
+            raise WorkerKilled("SIGKILL")
+        return run(job)
+
+    monkeypatch.setattr("reference.running.jobs.run_isolated", killed_at_first)
+    job = replace(GOOD, cases=("μ=0.1,v=1", "μ=0.7,v=1"))
+    assert run_one(job, SCENARIOS, 8.0).rows == run_job(job).rows
+    assert calls[1:] == [((case,), 4.0) for case in job.cases]
+    calls.clear()
+    *_, lost = run_one(replace(job, with_studies=True), SCENARIOS, 8.0).rows
+    assert (lost.verdict, lost.note) == (Verdict.LOST, "SIGKILL; its studies are missing")
+
+
+def test_a_job_that_its_executor_loses_is_a_row_and_no_end_of_the_others():
+    class Losing(ThreadPoolExecutor):
+        def submit(self, function, /, job, *arguments, **named) -> Future:
+            if job == GOOD:
+                return super().submit(function, job, *arguments, **named)
+            future: Future = Future()
+            future.set_exception(BrokenProcessPool("a machine is gone"))
+            return future
+
+    with Losing(1) as executor:
+        other = replace(GOOD, profile="step")
+        found = {result.job: result for result in run_all([other, GOOD], SCENARIOS, executor, ENOUGH)}
+    (row,) = found[other].rows
+    assert (row.verdict, "BrokenProcessPool: a machine is gone" in row.note) == (Verdict.LOST, True)
+    assert {row.verdict for row in found[GOOD].rows} == {Verdict.PASS}
 
 
 @pytest.mark.slow
