@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -12,8 +13,10 @@ from labs.cli.console import output
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.published import jobs as published_jobs
+from reference.report.against import differences
 from reference.report.published.tables import PublishedTables
 from reference.report.published.terminal import print_published
+from reference.report.row_files import read_rows
 from reference.report.sections import sections
 from reference.report.terminal import print_comparison
 from reference.running.cache import Cache
@@ -40,6 +43,10 @@ def compare(
     workers: jobs.Workers = None,
     seconds: jobs.Seconds = TIME_LIMIT,
     fresh: jobs.Fresh = False,
+    against: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The rows.json of a report; say what differs from it.", show_default=False),
+    ] = None,
     cases: Annotated[bool, typer.Option("--cases", help="Print every case with its numbers.")] = False,
     published: Annotated[
         bool, typer.Option("--published", help="Other people's cases instead: all, or those named, such as P15.")
@@ -52,16 +59,20 @@ def compare(
     results: Sequence[Result]
     cache = Cache(fresh=fresh)
     if published:
-        _refuse(profile=profile, timestep=timestep, set=assignments, at=at)
+        _refuse(profile=profile, timestep=timestep, set=assignments, at=at, against=against)
         others = published_jobs.plan(scenario or (), engine or engine_names(), implementation)
         with jobs.continuing(cache):
             results = found = jobs.run_work(others, published_jobs.PUBLISHED, workers, cache, seconds=seconds)
         print_published(output, PublishedTables.of(found), cases)
     else:
+        earlier = read_rows(against) if against else []
         planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments, parameters=at)
         with jobs.continuing(cache):
             results = compared = jobs.run(planned, workers, cache, seconds=seconds)
         print_comparison(output, sections(compared), cases)
+        rows = [row for result in compared for row in result.rows]
+        for line in differences(rows, earlier) if against else ():
+            output.print(line, markup=False, soft_wrap=True)
     raise typer.Exit(jobs.end(results))
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from rich.table import Table
 
 from labs.cli.console import output
-from reference.engines import engine_names, load_engine
-from reference.errors import EngineNotInstalled, RunFailed
+from reference.engines import engine_names, load_engine, tried_versions
+from reference.errors import EngineNotInstalled, RunFailed, RunLost
 from reference.running.availability import PROBE_LIMIT
 from reference.running.isolate import run_isolated
 
@@ -20,15 +20,19 @@ def engines() -> None:
     for name in engine_names():
         try:
             version, here = run_isolated(_version, PROBE_LIMIT, name), "[green]✓ ready[/]"
+            missing.append(tried_versions.warning(load_engine(name), version))
         except EngineNotInstalled as error:
             version, here = "", "[yellow]– not installed[/]"
             missing.append(str(error))
+        except RunLost as error:
+            version, here = "", "[yellow]? unknown[/]"
+            missing.append(f"{load_engine(name).title}: {error}")
         except RunFailed as error:
             version, here = "", "[red]! broken[/]"
             missing.append(f"{load_engine(name).title} is installed but cannot be imported: {error}")
         table.add_row(load_engine(name).title, name, version, here)
     output.print(table)
-    for message in missing:
+    for message in filter(None, missing):
         output.print(message, soft_wrap=True, markup=False)
 
 

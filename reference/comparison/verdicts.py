@@ -54,8 +54,9 @@ class Row:
     ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
     number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
     written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
-    recorded_version, recorded_on: which version of the engine was recorded, and on which day (ISO 8601); both are empty
-    where the engine ran here.
+    engine_version, adapter_version: the version of the engine that gave the number, or should have, and that of the lab
+    which told it the scenario; of a recording the second is not known. recorded_on: on which day the number was
+    recorded (ISO 8601); empty where the engine ran here.
     """
 
     family: str
@@ -78,7 +79,8 @@ class Row:
     off: float | None = None
     values: tuple[float, ...] = ()
     settings: str = field(default="", compare=False)
-    recorded_version: str = field(default="", compare=False)
+    engine_version: str = field(default="", compare=False)
+    adapter_version: str = field(default="", compare=False)
     recorded_on: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:

@@ -9,7 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import ModuleType
-from typing import ClassVar
+from typing import ClassVar, TypedDict
 
 from reference.engines import profiles
 from reference.engines.implementation import Implementation
@@ -121,6 +121,13 @@ class Method:
             raise InvalidInput(f"the rule of a method is {self.rule!r}; it is one of {', '.join(RULES)}, or none, ''")
 
 
+class Versions(TypedDict):
+    """What a row says of the engine that gave it, and of the lab's adapter to that engine."""
+
+    engine_version: str
+    adapter_version: str
+
+
 class Engine(ABC):
     """One implementation of rigid-body motion.
 
@@ -188,6 +195,14 @@ class Engine(ABC):
             return importlib.metadata.version(self.package or "collisions-lab")
         except importlib.metadata.PackageNotFoundError:
             raise self._missing("no such package") from None
+
+    def versions(self) -> Versions:
+        """The versions of the engine and of the adapter; the engine's is empty where it is missing."""
+        try:
+            version = self.version()
+        except EngineNotInstalled:
+            version = ""
+        return {"engine_version": version, "adapter_version": importlib.metadata.version("collisions-lab")}
 
     def module(self) -> ModuleType:
         """Import the engine's package, late; `EngineNotInstalled` says how to get it."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
@@ -36,12 +37,14 @@ def run_job(job: PublishedJob) -> PublishedResult:
     engine = load_engine(job.engine, Implementation(job.implementation))
     rows, answers = compare_published(published(job.case), engine)
     version = engine.version() if any(row.measured is not None for row in rows) else ""
+    rows = tuple(replace(row, **engine.versions()) for row in rows)
     return PublishedResult(job, engine.title, rows, version, answers, seconds=time.perf_counter() - start)
 
 
 def _refused(job: PublishedJob, error: CollisionsError, seconds: float) -> PublishedResult:
-    row = refusal(published(job.case), load_engine(job.engine).name, error)
-    return PublishedResult(job, load_engine(job.engine).title, (row,), seconds=seconds)
+    engine = load_engine(job.engine)
+    row = replace(refusal(published(job.case), engine.name, error), **engine.versions())
+    return PublishedResult(job, engine.title, (row,), seconds=seconds)
 
 
 PUBLISHED: Work[PublishedJob, PublishedResult] = Work(run_job, recorded.recall, _refused, list)

@@ -24,7 +24,6 @@ from reference.published.theirs import published, published_cases
 from reference.recording import checksums
 from reference.recording.files import FOLDER, MARK, Made, read_recording, with_tuples, write_json
 from reference.recording.fingerprint import hashed
-from reference.recording.making import version_here
 
 SCHEMA, VERSION = "collisions-lab/published-recording", 1
 FILE = "published.json"
@@ -91,7 +90,7 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
     rows = tuple(
         row
         if row.verdict is Verdict.NOT_AVAILABLE
-        else replace(row, recorded_version=made.version, recorded_on=made.date)
+        else replace(row, engine_version=made.version, recorded_on=made.date)
         for row in rows
     )
     title = f"{load_engine(job.engine).title}{MARK}"
@@ -104,7 +103,7 @@ def is_stale(engine: str, folder: Path | None = None) -> bool:
         found = [recall(PublishedJob(name, engine), folder) for name in published_cases()]
     except InvalidInput:
         return True
-    here = version_here(load_engine(engine))
+    here = load_engine(engine).versions()["engine_version"]
     made = {each.version for each in found if each is not None}
     missing = any(each is None or each.rows[0].verdict is Verdict.NOT_AVAILABLE for each in found)
     return missing or bool(here and made != {here})

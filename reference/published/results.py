@@ -31,8 +31,8 @@ class PublishedRow:
 
     figure: its name; empty in a row that speaks of the whole case. place: in a figure with several numbers, from 1;
     else 0. expected: as published. tolerance, reason: how near is near enough, and why. shift: how much the
-    implementation's method changes the number. note: why it deviates, or why there is no number. recorded_version,
-    recorded_on: as in `Row`.
+    implementation's method changes the number. note: why it deviates, or why there is no number. engine_version,
+    adapter_version, recorded_on: as in `Row`.
     """
 
     case: str
@@ -46,7 +46,8 @@ class PublishedRow:
     reason: str = ""
     shift: float = 0.0
     note: str = ""
-    recorded_version: str = field(default="", compare=False)
+    engine_version: str = field(default="", compare=False)
+    adapter_version: str = field(default="", compare=False)
     recorded_on: str = field(default="", compare=False)
 
     @property

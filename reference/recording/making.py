@@ -15,8 +15,7 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row
 from reference.engines import engine_names, load_engine
-from reference.engines.base import Engine
-from reference.errors import EngineNotInstalled, InvalidInput
+from reference.errors import InvalidInput
 from reference.recording import checksums
 from reference.recording.entries import Entry, name_as_own_case, name_of, names_of
 from reference.recording.files import FOLDER, SCHEMA, VERSION, Made, content_of, forget, tracks_of, write_json
@@ -82,7 +81,7 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
             if why := _why_stale(case, job, own, taken["entries"], tracks):
                 at = "".join(f" at a {name} of {value} s" for name, value in job.changes)
                 return f"{job.profile}, {case.name}{at} {why}"
-    made, here = Made(**content["made"]), version_here(load_engine(engine))
+    made, here = Made(**content["made"]), load_engine(engine).versions()["engine_version"]
     return f"{OTHER_VERSION} {made.version}; here is {here}" if here not in ("", made.version) else ""
 
 
@@ -99,14 +98,6 @@ def _why_stale(
     if entry.verdict is None and wanted not in [track.fingerprint for track in poses]:
         return "has no poses of today's scenario and settings"
     return ""
-
-
-def version_here(engine: Engine) -> str:
-    """An engine's version on this machine; "" where it is not installed."""
-    try:
-        return engine.version()
-    except EngineNotInstalled:
-        return ""
 
 
 # Writing

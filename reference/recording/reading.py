@@ -69,7 +69,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     rows = [
         row
         if row.verdict is Verdict.NOT_AVAILABLE
-        else replace(row, recorded_version=made.version, recorded_on=made.date)
+        else replace(row, engine_version=made.version, recorded_on=made.date)
         for row in rows
     ]
     moved = bool(job.changes or job.at or job.grid)

@@ -16,7 +16,7 @@ from reference.report.error_split import KINDS, origins
 from reference.report.first_screen import findings
 from reference.report.formulas import typeset
 from reference.report.marks import LEGEND, MARKS, occurring
-from reference.report.overview import Overview, not_counted, verdict_line
+from reference.report.overview import Overview, not_counted, verdict_line, without_answer
 from reference.report.row_text import error_of
 from reference.report.sections import Section, recordings
 from reference.report.sensitivity import kept_sentence
@@ -66,6 +66,7 @@ def render(
             statements=_statements(found),
             verdict_line=verdict_line(rows),
             not_counted=not_counted(rows),
+            without_answer=without_answer(line.result for section in found for line in section.lines),
             marks=MARKS,
             legend={verdict: LEGEND[verdict] for verdict in occurring(rows)},
             recordings=recordings(line.result for section in found for line in section.lines),

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from reference.comparison.results import JobResult
-from reference.engines import load_engine
+from reference.engines.handwritten_engine import Handwritten
 from reference.published.results import PublishedResult
 
 
@@ -35,10 +35,9 @@ def provenance(versions: Mapping[str, str]) -> dict[str, Any]:
 
 def compared(results: Iterable[JobResult] | Iterable[PublishedResult]) -> list[str]:
     """The implementations that ran, in a reader's words: an engine with its version, our own code without."""
-    ran = {result.title: (load_engine(result.job.engine), result.version) for result in results if result.version}
-    return [
-        f"{title} {version}".strip() if engine.package else f"{title} code" for title, (engine, version) in ran.items()
-    ]
+    ran = {result.title: (result.job.engine, result.version) for result in results if result.version}
+    by_hand = Handwritten.name
+    return [f"{title} code" if name == by_hand else f"{title} {version}" for title, (name, version) in ran.items()]
 
 
 def machine() -> str:

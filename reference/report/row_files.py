@@ -20,8 +20,8 @@ from reference.recording.files import with_tuples
 from reference.report.agreement import as_content
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
-VERSIONS = {ROWS: 2, PUBLISHED: 2}
-"""Of the schemas of rows. Since version 2 a row says whether it was recorded: `recorded_version`, `recorded_on`."""
+VERSIONS = {ROWS: 3, PUBLISHED: 3}
+"""Of the schemas of rows. Since version 3 each row has its `engine_version` and `adapter_version`, recorded or not."""
 R = TypeVar("R", Row, PublishedRow)
 
 

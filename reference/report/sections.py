@@ -17,7 +17,7 @@ from reference.comparison.convergence import ROUNDING
 from reference.comparison.pairs import Pair, pairs
 from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row
-from reference.engines import engine_names, profiles
+from reference.engines import engine_names, load_engine, profiles, tried_versions
 from reference.report import numbers
 from reference.report.cells import Cell
 
@@ -195,7 +195,12 @@ def _with_own_titles(results: Sequence[JobResult]) -> list[JobResult]:
 
 
 def recordings(results: Iterable[JobResult]) -> list[str]:
-    """What was not run here but recorded elsewhere, each recording once, and what was moved to a recorded point."""
+    """What was not run here but recorded elsewhere, each recording once, and what was moved to a recorded point.
+
+    Also which engine is of another version than those that the lab was tried with.
+    """
     results = list(results)
     notes = [result.recording for result in results] + [result.job.snapped for result in results]
+    own = [result for result in results if result.job.engine in engine_names()]
+    notes += [tried_versions.warning(load_engine(result.job.engine), result.version) for result in own]
     return list(dict.fromkeys(note for note in notes if note))

@@ -20,6 +20,7 @@ from reference.report.cells import Cell
 from reference.report.formulas import plain
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
+from reference.report.provenance import compared
 from reference.report.results_in_words import remarks
 from reference.report.row_text import error_of, left_of
 from reference.report.sections import Line, Section, recordings
@@ -60,15 +61,18 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
         if noticed := kept_sentence(section.family.name):
             console.print(Text(noticed, style="dim"))
     rows = [row for section in found for line in section.lines for row in line.result.rows]
+    versions = compared(line.result for section in found for line in section.lines)
     if len(found) > 1:
         _print_overview(console, Overview.of(found))
         _print_worst_first(console, found)
     console.print()
     print_legend(console, occurring(rows), LEGEND)
+    if versions:
+        console.print(Text(f"Compared: {', '.join(versions)}."))
     for recorded in recordings(line.result for section in found for line in section.lines):
         console.print(Text(recorded))
-    if compared := agreement.sentence(pair for section in found for pair in section.pairs):
-        console.print(Text(compared))
+    if between := agreement.sentence(pair for section in found for pair in section.pairs):
+        console.print(Text(between))
     console.print(Text(verdict_line(rows), style="bold"))
 
 

@@ -147,6 +147,7 @@ def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResu
     """The result of a job that failed as a whole: one row that says why."""
     engine = load_engine(job.engine)
     row = Row(job.family, ALL_CASES, engine.name, job.profile, "", "", verdict_of(error), note=str(error))
+    row = replace(row, **engine.versions())
     description = catalogue()[job.family].profiles(engine).get(job.profile, job.profile)
     return JobResult(job, engine.title, description, (row,), seconds=seconds)
 
@@ -181,7 +182,7 @@ def run_job(job: Job) -> JobResult:
         job,
         engine.title,
         has[job.profile],
-        tuple(rows),
+        tuple(replace(row, **engine.versions()) for row in rows),
         shown,
         version,
         series,

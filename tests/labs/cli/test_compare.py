@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -9,7 +10,10 @@ import pytest
 from odd_engine import CRASH, ELSE, NAN, NO_WORDS, RAISE
 from program import EXACT, QUICK, SLIDE, collisions
 
+from reference.comparison.results import Job
 from reference.recording import files
+from reference.report.row_files import rows_json
+from reference.running.study import run_job
 
 TOY = str(Path(__file__).parents[2] / "reference" / "toy_engine.py")
 METHODS = ("--profile", "exact", "--profile", "slide", "--profile", "step")
@@ -157,6 +161,20 @@ def test_a_scenario_that_was_never_recorded_warns_and_runs(installed, tmp_path, 
     said = collisions("compare", "parting-ball", "--engine", "mujoco", "--profile", "tuned")
     assert (said.code, "MuJoCo, tuned" in said.text) == (0, True)
     assert "parting-ball was never recorded in MuJoCo; collisions record parting-ball does it." in said.error
+
+
+def test_a_comparison_with_an_earlier_report_says_what_differs(tmp_path):
+    file, text = tmp_path / "rows.json", rows_json([run_job(Job("ball-to-rest", "handwritten", "exact", ("e=0.5",)))])
+    file.write_text(text, encoding="utf-8")
+    same = collisions("compare", *EXACT, "--against", file)
+    assert (same.code, "4 of 4 rows are as they were; 0 are new, and 0 have" in same.text) == (0, True)
+    version = json.loads(text)["rows"][0]["engine_version"]
+    file.write_text(text.replace(f'"engine_version": "{version}"', '"engine_version": "0.0"'), encoding="utf-8")
+    other = collisions("compare", *EXACT, "--against", file)
+    assert f"The rows of hand-written are of different versions: 0.0 then, {version} now." in other.text
+    file.write_text(text.replace('"version": 3', '"version": 2'), encoding="utf-8")
+    refused = collisions("compare", *EXACT, "--against", file)
+    assert (refused.code, "this program reads collisions-lab/rows version 3" in refused.error) == (2, True)
 
 
 # The cache

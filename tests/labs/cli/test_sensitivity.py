@@ -58,4 +58,4 @@ def test_an_engine_of_ones_own_is_tried_under_its_title(odd):
 def test_an_engine_that_crashes_is_told_and_no_finding(odd):
     said = collisions("sensitivity", "parting-ball", "--engine", odd("raise ZeroDivisionError"))
     assert said.code == 3
-    assert "crashed: parting-ball, an odd one, tuned (v=0.1): ZeroDivisionError" in said.text
+    assert "crashed: parting-ball, an odd one, tuned: ZeroDivisionError" in said.text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import importlib.metadata
 import json
 import os
 import pickle
@@ -16,6 +17,7 @@ import pytest
 
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
+from reference.engines import load_engine
 from reference.errors import InvalidInput
 from reference.recording.files import content_of
 from reference.recording.reading import recall
@@ -83,7 +85,7 @@ def test_the_figures_beside_the_page_are_those_in_it(report):
 @pytest.mark.parametrize(
     ("name", "schema", "version"),
     [
-        ("rows.json", "collisions-lab/rows", 2),
+        ("rows.json", "collisions-lab/rows", 3),
         ("timings.json", "collisions-lab/timings", 1),
         ("provenance.json", "collisions-lab/provenance", 1),
     ],
@@ -171,14 +173,14 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
     [
         ("no JSON", "is not JSON"),
         ("", "is not JSON"),
-        ("[]", "is None version None; this program reads collisions-lab/rows version 2"),
-        ('{"rows": []}', "is None version None; this program reads collisions-lab/rows version 2"),
+        ("[]", "is None version None; this program reads collisions-lab/rows version 3"),
+        ('{"rows": []}', "is None version None; this program reads collisions-lab/rows version 3"),
         ('{"schema": "collisions-lab/rows", "version": 1, "rows": []}', "is collisions-lab/rows version 1; this"),
         ('{"schema": "collisions-lab/timings", "version": 1}', "is collisions-lab/timings version 1; this program"),
-        ('{"schema": "collisions-lab/rows", "version": 2}', "cannot be read: 'rows'"),
-        ('{"schema": "collisions-lab/rows", "version": 2, "rows": 3}', "cannot be read"),
-        ('{"schema": "collisions-lab/rows", "version": 2, "rows": [3]}', "cannot be read"),
-        ('{"schema": "collisions-lab/rows", "version": 2, "rows": [{}]}', "cannot be read: 'verdict'"),
+        ('{"schema": "collisions-lab/rows", "version": 3}', "cannot be read: 'rows'"),
+        ('{"schema": "collisions-lab/rows", "version": 3, "rows": 3}', "cannot be read"),
+        ('{"schema": "collisions-lab/rows", "version": 3, "rows": [3]}', "cannot be read"),
+        ('{"schema": "collisions-lab/rows", "version": 3, "rows": [{}]}', "cannot be read: 'verdict'"),
         (GIVEN + ', "verdict": "good"}', "cannot be read: 'good' is not a valid Verdict"),
         (GIVEN + ', "verdict": "pass", "colour": 3}', "unexpected keyword argument 'colour'"),
         ('{"verdict": "pass"}', "missing 6 required positional arguments"),
@@ -189,7 +191,7 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
 def test_a_file_without_rows_is_refused_by_name(text, said, tmp_path):
     path = tmp_path / "rows.json"
     is_row = '"verdict"' in text
-    whole = f'{{"schema": "collisions-lab/rows", "version": 2, "rows": [{text}]}}' if is_row else text
+    whole = f'{{"schema": "collisions-lab/rows", "version": 3, "rows": [{text}]}}' if is_row else text
     path.write_text(whole, encoding="utf-8")
     with pytest.raises(InvalidInput) as refused:
         read_rows(path)
@@ -227,10 +229,16 @@ def test_recorded_rows_say_which_version_was_recorded_and_when(report, tmp_path)
     result = recall(Job("parting-ball", "mujoco", "tuned"))
     (tmp_path / "rows.json").write_text(rows_json([result]), encoding="utf-8")
     table = csv.DictReader(rows_csv([result]).splitlines())
-    in_json = {(row.recorded_version, row.recorded_on) for row in read_rows(tmp_path / "rows.json")}
-    in_csv = {(line["recorded_version"], line["recorded_on"]) for line in table}
+    in_json = {(row.engine_version, row.recorded_on) for row in read_rows(tmp_path / "rows.json")}
+    in_csv = {(line["engine_version"], line["recorded_on"]) for line in table}
     assert in_json == in_csv == {(made["version"], made["date"])}
-    assert {(row.recorded_version, row.recorded_on) for row in read_rows(report / "rows.json")} == {("", "")}
+    assert {row.adapter_version for row in read_rows(tmp_path / "rows.json")} == {""}, "nobody kept it"
+
+
+def test_rows_that_ran_here_say_the_versions_of_engine_and_adapter(report):
+    lab = importlib.metadata.version("collisions-lab")
+    found = {(row.engine, row.engine_version, row.adapter_version) for row in read_rows(report / "rows.json")}
+    assert found == {(name, load_engine(name).version(), lab) for name, *_ in found}
 
 
 def test_commas_quotes_and_line_breaks_stay_in_their_cell():

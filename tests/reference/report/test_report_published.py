@@ -187,7 +187,7 @@ def test_published_rows_are_read_back_as_they_were_written(folder, tables):
 def test_recorded_published_rows_say_which_version_and_when(folder, tmp_path):
     result = recorded.recall(PublishedJob("P15", "mujoco"))
     (tmp_path / "published.json").write_text(row_files.published_json(result.rows), encoding="utf-8")
-    (mark,) = {(row.recorded_version, row.recorded_on) for row in row_files.read_published(tmp_path / "published.json")}
+    (mark,) = {(row.engine_version, row.recorded_on) for row in row_files.read_published(tmp_path / "published.json")}
     assert mark[0] == result.version
     assert f"was recorded on {mark[1]} (" in result.recording
     assert {row.recorded_on for row in row_files.read_published(folder / "published.json")} == {""}
@@ -196,9 +196,9 @@ def test_recorded_published_rows_say_which_version_and_when(folder, tmp_path):
 def test_published_rows_of_another_version_are_refused(folder, tmp_path):
     content = json.loads((folder / "published.json").read_text(encoding="utf-8"))
     (tmp_path / "published.json").write_text(json.dumps(content | {"version": 1}), encoding="utf-8")
-    with pytest.raises(InvalidInput, match="reads collisions-lab/published version 2"):
+    with pytest.raises(InvalidInput, match="reads collisions-lab/published version 3"):
         row_files.read_published(tmp_path / "published.json")
-    with pytest.raises(InvalidInput, match="reads collisions-lab/rows version 2"):
+    with pytest.raises(InvalidInput, match="reads collisions-lab/rows version 3"):
         row_files.read_rows(folder / "published.json")
 
 

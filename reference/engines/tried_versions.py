@@ -1,0 +1,35 @@
+"""Which versions of an engine the lab was tried with: the bounds that `pyproject.toml` gives for its extra."""
+
+from __future__ import annotations
+
+import functools
+import importlib.metadata
+
+from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
+from packaging.utils import canonicalize_name
+
+from reference.engines.base import Engine
+
+
+def warning(engine: Engine, version: str) -> str:
+    """A sentence if a version of an engine is outside of the bounds; empty if it is within, or if there are none."""
+    bounds = _bounds().get(canonicalize_name(engine.package or ""))
+    if not version or bounds is None or bounds.contains(version, prereleases=True):
+        return ""
+    tried = ",".join(sorted(map(str, bounds), reverse=True))
+    return (
+        f"{engine.title} {version} is none of the versions that the lab was tried with ({engine.package}{tried}): its"
+        " numbers may differ, or it may not run."
+    )
+
+
+@functools.cache
+def _bounds() -> dict[str, SpecifierSet]:
+    """The bounds of each required package, as the installed lab says; none where it is not installed."""
+    try:
+        required = importlib.metadata.requires("collisions-lab") or []
+    except importlib.metadata.PackageNotFoundError:
+        return {}
+    every = map(Requirement, required)
+    return {canonicalize_name(each.name): each.specifier for each in every if each.specifier}
