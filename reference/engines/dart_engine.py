@@ -151,10 +151,12 @@ class Dart(Engine):
             for name, value in (("restitution", pair.restitution), ("friction", pair.kinetic_friction)):
                 if 0 < value <= LEAST_COEFFICIENT:
                     raise self.cannot(scenario, f"it takes a {name} of {value:g} for none, as all up to 0.001")
-        restitution = mixing.factors(scenario, lambda pair: pair.restitution)
+        restitution = mixing.factors(scenario, lambda pair: pair.restitution, most=1.0)
         friction = mixing.least(scenario, lambda pair: pair.kinetic_friction)
         if restitution is None:
-            raise self.cannot(scenario, "it multiplies the restitutions of two bodies, and no choice gives all pairs")
+            raise self.cannot(
+                scenario, "it multiplies the restitutions of two bodies, and no choice of up to 1 gives all pairs"
+            )
         if friction is None:
             raise self.cannot(scenario, "it takes the smaller friction of two bodies, and no choice gives all pairs")
         return list(zip(restitution, friction, strict=True))

@@ -7,8 +7,12 @@ from typing import NamedTuple
 import numpy as np
 
 from reference.arrays import Array
+from reference.engines.base import DART
 from reference.scene import geometry
 from reference.scene.scenario import Scenario
+
+SMALL_TURN = 1e-3
+"""A turn below this angle, rad, DART makes with the matrix I + [φ] + [φ]²/2, which turns by arcsin |φ|."""
 
 
 class State(NamedTuple):
@@ -20,11 +24,18 @@ class State(NamedTuple):
     spin: Array
 
 
-class Bodies:
-    """The bodies of a scenario: their shapes, and what an impulse does to each."""
+def darts_turn(turn: Array) -> Array:
+    """How far DART turns bodies that are to turn by vectors (..., 3), rad: a small angle φ by arcsin φ."""
+    angle = np.linalg.norm(turn, axis=-1, keepdims=True)
+    small = (angle > 0) & (angle < SMALL_TURN)
+    return np.asarray(np.where(small, np.arcsin(np.where(small, angle, 0.0)) / np.where(small, angle, 1.0), 1.0) * turn)
 
-    def __init__(self, scenario: Scenario) -> None:
-        self.scenario = scenario
+
+class Bodies:
+    """The bodies of a scenario: their shapes, and what an impulse does to each. rule: of the method that turns them."""
+
+    def __init__(self, scenario: Scenario, rule: str = "") -> None:
+        self.scenario, self.turned_by = scenario, darts_turn if rule == DART else np.asarray
         self.shapes = [body.shape for body in scenario.bodies]
         self.inverse_mass = np.array([body.inverse_mass for body in scenario.bodies])
         self.inverse_moments = np.array(
@@ -61,8 +72,9 @@ class Bodies:
         weight = count**2 / 2 if in_parabolas else count * (count + 1) / 2
         position = state.position + dt * (count * state.velocity + dt * weight * self.weight)
         orientation = np.tile(state.orientation, (steps, 1, 1))
+        turns = self.turned_by(dt * state.spin)
         for place in np.flatnonzero(state.spin.any(axis=1)):
-            orientation[:, place] = geometry.turned(state.orientation[place], count[:, 0] * dt * state.spin[place])
+            orientation[:, place] = geometry.turned(state.orientation[place], count[:, 0] * turns[place])
         velocity = state.velocity + count * dt * self.weight
         return State(position, orientation, velocity, np.broadcast_to(state.spin, (steps, *state.spin.shape)))
 

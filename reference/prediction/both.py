@@ -30,7 +30,10 @@ class NoRule(Exception):
 class Both:
     """The two bodies of a contact: the arms to it, and what impulses do there."""
 
-    def __init__(self, bodies: Bodies, state: State, meeting: Meeting, touched: Touch, points: str) -> None:
+    def __init__(
+        self, bodies: Bodies, state: State, meeting: Meeting, touched: Touch, points: str, felt: float = 0.0
+    ) -> None:
+        """felt: for how long weight acts before friction looks where the surfaces slip, s."""
         self.bodies, self.meeting, self.touched = bodies, meeting, touched
         at_ball, at_other = _points(touched, isinstance(bodies.shapes[meeting.other], Sphere), points)
         self.sides = [
@@ -40,7 +43,8 @@ class Both:
         self.velocity = sum(
             sign * (state.velocity[place] + cross(state.spin[place], arm)) for place, arm, _, sign in self.sides
         )
-        normal, along = self.touched.normal, self._along()
+        falling = felt * (bodies.weight[meeting.ball] - bodies.weight[meeting.other])
+        normal, along = self.touched.normal, self._along(self.velocity + falling)
         self.along = along
         self.inverse_masses = self.k(along, along), self.k(along, normal), self.k(normal, normal)
         """K along t, from n to t, and along n, 1/kg."""
@@ -57,11 +61,11 @@ class Both:
         """Sum of the inverse masses, 1/kg."""
         return float(sum(self.bodies.inverse_mass[place] for place, *_ in self.sides))
 
-    def _along(self) -> Array:
-        """Unit vector along the slip, or where the normal impulse starts one, (3,)."""
+    def _along(self, velocity: Array) -> Array:
+        """Unit vector along the slip of a velocity, or where the normal impulse starts one, (3,)."""
         normal = self.touched.normal
         starts = sum(cross(inertia @ cross(arm, normal), arm) for _, arm, inertia, _ in self.sides)
-        for way in (self.velocity, starts, np.eye(3)[np.argmin(np.abs(normal))]):
+        for way in (velocity, starts, np.eye(3)[np.argmin(np.abs(normal))]):
             slip = way - (way @ normal) * normal
             size = float(np.sqrt(slip @ slip))
             if size > ASIDE:
@@ -71,6 +75,13 @@ class Both:
         if max(abs(self.k(along, aside)), abs(self.k(normal, aside))) > ASIDE * self.k(normal, normal):
             raise NoRule
         return np.asarray(along)
+
+    def aside(self, change: Array) -> float:
+        """What changes of velocity and spin of all bodies, (bodies, 2, 3), make of the slip aside of t, m/s."""
+        way = cross(self.touched.normal, self.along)
+        return sum(
+            sign * float(way @ (change[place, 0] + cross(change[place, 1], arm))) for place, arm, _, sign in self.sides
+        )
 
     def rows(self) -> Array:
         """By which numbers velocity and spin of all bodies make the velocities along t and n, (2, bodies, 2, 3)."""

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET_SPRING, CHORD, DART, MUJOCO_SPRING, Method
+from reference.engines.base import BULLET, BULLET_SPRING, CHORD, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, Method
 from reference.prediction.laws import Law, law_of
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene import geometry
-from reference.scene.scenario import Box, Scenario
+from reference.scene.scenario import Body, Box, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event
 
+STRAIGHT = 1e-9
+"""Sine of an angle, or m, that counts as none."""
+BULLETS_REACH = 0.02
+"""Bullet drops a contact that parts, or that a step moves, by more than this share of the radius around a body."""
 CORNERS = 4
 """Corners of a box that lies on a face: so many contacts share what it carries."""
 ASLEEP = 1e-6
@@ -25,23 +28,29 @@ SWEPT = 1e-4
 
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
-    """The bounces of one body above one plane, without friction or spin; None where the method has no recurrence."""
+    """The bounces of one body above one plane, without friction or spin; None where the method has no recurrence.
+
+    MuJoCo always has some friction, and a box that moves along Bullet's ground loses the corners that Bullet has kept.
+    So in these two nothing may move along the plane.
+    """
     body = next(body for body in scenario.bodies if not body.immovable)
     plane = next(body for body in scenario.bodies if body.immovable)
     normal, steps = np.array(plane.shape.normal), settings.steps_for(scenario.duration)  # type: ignore[union-attr]
     gap, rate = geometry.gap(plane, body), float(np.array(body.velocity) @ normal)
     fall = float(np.array(scenario.gravity) @ normal) * settings.timestep
-    restitution = scenario.pairs[0].restitution
+    along_velocity, along = _along_the_plane(scenario, settings, method, np.array(body.velocity), normal, steps)
+    if not _falls_straight(scenario, body, normal, method, float(np.max(np.abs(along)))):
+        return None
+    restitution, kept = scenario.pairs[0].restitution, 0.0
     if method.rule == CHORD:
         gaps, rates, rest = by_chords(gap, rate, fall, settings.timestep, restitution, method.rest_speed, steps)
     else:
         if isinstance(body.shape, Box) and settings.options.get("ground") == "box":
-            method = replace(method, reach=0.0)  # Bullet finds a contact of two boxes only where they overlap
+            kept = BULLETS_REACH * math.hypot(*body.shape.half_extents)
         law = law_of(settings, method, restitution, CORNERS if isinstance(body.shape, Box) else 1.0)
         if law is None:
             return None
-        gaps, rates, rest = by_steps(gap, rate, fall, law, steps)
-    along_velocity, along = _along_the_plane(scenario, settings, method, np.array(body.velocity), normal, steps)
+        gaps, rates, rest = by_steps(gap, rate, fall, law, steps, kept)
     position = np.array(body.position) + (gaps - gap)[:, None] * normal + along
     path = Path(position, rates[:, None] * normal + along_velocity)
     near, why = ROUNDING, "the recurrence of the method, to rounding"
@@ -51,6 +60,20 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         near, why = ASLEEP, "the recurrence, and a body that sleeps in what is left of its overlap"
     events = (Event(rest, "rest", body.name),) if rest < math.inf and settings.options.get("policy") else ()
     return Prediction(trajectory_of(scenario, settings, {body.name: path}, events), near, why)
+
+
+def _falls_straight(scenario: Scenario, body: Body, normal: Array, method: Method, way: float) -> bool:
+    """Whether nothing but the contact's normal impulse acts, and that not beside the centre. way: along the plane."""
+    if any(body.angular_velocity) or (isinstance(body.shape, Box) and not _lies_flat(body, normal)):
+        return False
+    rubs = scenario.pairs[0].kinetic_friction > 0 or method.rule in (MUJOCO_ONE_STEP, MUJOCO_SPRING)
+    loses_corners = isinstance(body.shape, Box) and method.rule == BULLET
+    return way < STRAIGHT or not (rubs or loses_corners)
+
+
+def _lies_flat(box: Body, normal: Array) -> bool:
+    own = geometry.rotate(geometry.opposite(np.array(box.orientation)), normal)
+    return bool(np.max(np.abs(own)) > 1 - STRAIGHT)
 
 
 def _along_the_plane(
@@ -70,23 +93,30 @@ def predict_to_rest(scenario: Scenario, settings: Settings, method: Method) -> P
     return None if method.rule in (MUJOCO_SPRING, BULLET_SPRING) else predict(scenario, settings, method)
 
 
-def by_steps(gap: float, rate: float, fall: float, law: Law, steps: int) -> tuple[Array, Array, float]:
+def by_steps(
+    gap: float, rate: float, fall: float, law: Law, steps: int, kept: float = 0.0
+) -> tuple[Array, Array, float]:
     """Gap and rate after each step, (steps + 1,), start included, and when the body rests for good, s.
 
     Flights are jumped over: in a step the rate gains `fall`, and the gap then changes by the new rate, so that after n
     steps it has changed by dt (n rate + fall n (n + 1)/2), or in parabolas by dt (n rate + fall n²/2).
+
+    kept: of two boxes Bullet finds a contact only where they overlap. It keeps the contact as long as the gap is no
+    larger than this, m, and as long as it does, the contact has its reach. 0 where contacts are not kept.
     """
+    reach, held = law.reach, not kept
     gaps, rates, done, rest = np.empty(steps + 1), np.empty(steps + 1), 0, math.inf
     gaps[0], rates[0] = gap, rate
     while done < steps:
-        flight = min(_steps_above(gap, rate, fall, law), steps - done)
+        flight = min(_steps_above(gap, rate, fall, law, reach if held else 0.0), steps - done)
         if flight > 0:
             count, now = np.arange(1, flight + 1), slice(done + 1, done + flight + 1)
             weight = count**2 / 2 if law.in_parabolas else count * (count + 1) / 2
             gaps[now], rates[now] = gap + law.dt * (count * rate + fall * weight), rate + fall * count
+            held = not kept or (held and float(np.max(gaps[now])) <= kept)
             done, gap, rate = done + flight, float(gaps[done + flight]), float(rates[done + flight])
             continue
-        before = gap, rate
+        before, held = (gap, rate), True
         gap, rate = law.step(gap, rate, fall)
         done += 1
         gaps[done], rates[done] = gap, rate
@@ -96,9 +126,9 @@ def by_steps(gap: float, rate: float, fall: float, law: Law, steps: int) -> tupl
     return gaps, rates, rest
 
 
-def _steps_above(gap: float, rate: float, fall: float, law: Law) -> int:
-    """How many steps of free flight end out of the contact's reach; none from within it."""
-    gap -= law.reach
+def _steps_above(gap: float, rate: float, fall: float, law: Law, reach: float) -> int:
+    """How many steps of free flight end out of the contact's reach, m; none from within it."""
+    gap -= reach
     if gap <= 0:
         return 0
     # gap + dt (n rate + fall n (n + b)/2) > 0, with b = 1 for Euler's steps, 0 for parabolas

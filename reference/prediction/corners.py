@@ -17,6 +17,7 @@ from reference.engines.dart_settings import SOFTNESS
 from reference.impact_truth import NEWTON, POISSON, STRONGE
 from reference.prediction.axes import bullets_axes, darts_axes
 from reference.prediction.bodies import Bodies, State
+from reference.prediction.both import NoRule
 from reference.prediction.laws import BULLETS_PUSHED_TURN, Law, law_of
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
@@ -30,8 +31,6 @@ FOLLOWED, FOLLOWED_WHY = 2e-8, "the recurrence, and the digits that are sure of 
 """Of the laws of Poisson and Stronge, which follow the impact."""
 SWEPT, SWEPT_WHY = 2e-5, "the recurrence, and what DART's sweeps over two corners leave"
 """8·10⁻⁶ of the change of spin was measured where the corners grip, and still 7·10⁻⁶ after 5 000 sweeps."""
-SMALL_TURN = 1e-3
-"""A turn below this angle, rad, DART makes with the matrix I + [φ] + [φ]²/2, which turns by arcsin |φ|."""
 
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
@@ -43,7 +42,10 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if law is None or not a_box_and_a_plane or not _has_a_cone(settings, method, pair):
         return None
     striking = _Corners(scenario, law, method)
-    states = striking.run(settings.steps_for(scenario.duration))
+    try:
+        states = striking.run(settings.steps_for(scenario.duration))
+    except NoRule:
+        return None
     if states is None:
         return None
     position, orientation, velocity, spin = (
@@ -72,7 +74,7 @@ class _Corners:
     """A box and a plane, stepped by one method."""
 
     def __init__(self, scenario: Scenario, law: Law, method: Method) -> None:
-        self.bodies, self.law, self.method, self.pair = Bodies(scenario), law, method, scenario.pairs[0]
+        self.bodies, self.law, self.method, self.pair = Bodies(scenario, method.rule), law, method, scenario.pairs[0]
         self.place = next(place for place, body in enumerate(scenario.bodies) if isinstance(body.shape, Box))
         box, plane = scenario.bodies[self.place], scenario.bodies[1 - self.place]
         self.foot = np.array(plane.position)
@@ -157,7 +159,10 @@ class _Corners:
             rest = rest + held * contact.friction * a
             return np.array([rest @ (math.cos(angle) * along - math.sin(angle) * ahead), -rest @ way])
 
-        return given(root_angle(opposed))
+        impulse = given(root_angle(opposed))
+        if abs(float(contact.after(impulse) @ along)) > ALIKE:
+            raise NoRule  # the two no longer pull against each other alone
+        return impulse
 
     def _k(self, state: State, arm: Array) -> Array:
         """What a unit impulse at the end of an arm changes of the velocity there, along the axes, (3, 3), 1/kg."""
@@ -181,10 +186,7 @@ class _Corners:
 
     def _moved(self, state: State) -> State:
         """The state after a step with the velocities that it has."""
-        turn = state.spin * self.law.dt
-        angle = float(np.linalg.norm(turn[self.place]))
-        if self.method.rule == DART and 0 < angle < SMALL_TURN:
-            turn *= math.asin(angle) / angle
+        turn = self.bodies.turned_by(state.spin * self.law.dt)
         orientation = geometry.turned(state.orientation, turn)
         return state._replace(position=state.position + state.velocity * self.law.dt, orientation=orientation)
 

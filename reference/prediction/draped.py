@@ -13,10 +13,10 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.base import STEP_THEN_PUT_OUT, Method
+from reference.prediction.forces import Forces
 from reference.prediction.laws import ByContact, MuJoCoOneStep, law_of
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene.draping import ball_under, reach
-from reference.scene.loads import Loads
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 
@@ -32,7 +32,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return None
     places = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
     bodies = [scenario.bodies[place] for place in places]
-    centre, dt, loads = np.array(ball.position), settings.timestep, Loads(scenario)
+    centre, dt, forces = np.array(ball.position), settings.timestep, Forces(scenario)
     met = {name for pair in scenario.pairs for name in (pair.body_a, pair.body_b)}
     near = np.array([reach(ball, body) if body.name in met else -math.inf for body in bodies])
     mass, gravity = np.array([body.mass for body in bodies])[:, None], np.array(scenario.gravity)
@@ -40,7 +40,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     place, orientation, velocity, spin = np.split(state, (3, 7, 10), axis=-1)
     ways, speeds = [place], [velocity]
     for number in range(settings.steps_for(scenario.duration)):
-        force, _ = loads.on_bodies(number * dt, place, orientation, velocity, spin)
+        force, _ = forces.on_bodies(number * dt, place, orientation, velocity, spin)
         gained = dt * (gravity + force[places] / mass)
         at, moves = place[places], velocity[places]
         after, moved = moves + gained, np.zeros_like(at)

@@ -35,7 +35,7 @@ def drive_of(scenario: Scenario, body: Body, normal: Array, dt: float) -> Drive 
         return None
     if not all(_holds_the_centre(spring, body) for spring in scenario.springs):
         return None
-    rates = [np.array(push.at(1.0)) for push in scenario.forces]
+    rates = [np.array(push.rate) for push in scenario.forces if isinstance(push, GrowingForce)]
     lines = [_from_anchor(spring, body) for spring in scenario.springs]
     ways = [vector for vector in (*rates, *lines, np.array(body.velocity)) if np.linalg.norm(vector) > ALIGNED]
     ahead = ways[0] / np.linalg.norm(ways[0])

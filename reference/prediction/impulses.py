@@ -6,7 +6,7 @@ A contact lies in a plane, as in `reference.impact_truth`: t along the slip and 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 from reference.engines.base import (
     BULLET,
@@ -65,6 +65,14 @@ class Given:
 class Rule(Protocol):
     """What a method gives in a step of a contact."""
 
+    @property
+    def felt(self) -> float:
+        """For how long weight acts before friction looks where the surfaces slip, s."""
+
+    @property
+    def least_friction(self) -> float:
+        """The friction that there is even where none was asked for."""
+
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
 
@@ -74,6 +82,8 @@ class ByHand:
     """Hand-written code: what overlaps and approaches gets Newton's impulse, before weight adds to its velocity."""
 
     restitution: float
+    felt: ClassVar[float] = 0.0
+    least_friction: ClassVar[float] = 0.0
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
@@ -94,6 +104,12 @@ class ByVelocity:
     law: Bullet | BulletSpring | Dart
     softness: float = 0.0
     pivots: bool = False
+    least_friction: ClassVar[float] = 0.0
+
+    @property
+    def felt(self) -> float:
+        """The whole step, s: forces come first."""
+        return self.law.dt
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
@@ -117,6 +133,12 @@ class InTheWorld:
 
     law: World
     static_friction: float
+    least_friction: ClassVar[float] = 0.0
+
+    @property
+    def felt(self) -> float:
+        """The whole step, s: forces come first."""
+        return self.law.dt
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
@@ -142,13 +164,19 @@ class MuJoCos:
     friction_damping: float
     impratio: float
     noslip: bool
+    least_friction: ClassVar[float] = LEAST_FRICTION
+
+    @property
+    def felt(self) -> float:
+        """As long as weight takes to make what B_t s/d is of a slip s."""
+        return self.law.impedance / self.friction_damping if self.friction_damping else 0.0
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
         if met.gap >= 0:
             return Given()
         law, contact, dt = self.law, met.contact, self.law.dt
-        friction = max(contact.friction, LEAST_FRICTION)
+        friction = max(contact.friction, self.least_friction)
         along, across = met.added
         lean = along / dt + self.friction_damping * contact.slip / law.impedance
         press = across / dt + (law.damping * contact.normal + law.stiffness * met.gap) / law.impedance

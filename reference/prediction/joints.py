@@ -21,19 +21,22 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     k (s − s_0))`. DART takes the spring so as well, at `s + v⁺ dt`, which adds k dt² to the bracket. That is backward
     Euler. Then `s⁺ = s + v⁺ dt`.
     """
-    ends = on_one_spring(scenario)
-    if ends is None:
+    if on_one_spring(scenario) is None:
         return None
-    body, spring, dt = scenario.bodies[ends.first], scenario.springs[0], settings.timestep
+    (body,), (spring,), dt = scenario.bodies, scenario.springs, settings.timestep
+    held = np.array(spring.point_a if spring.body_b else spring.point_b)
+    line = np.array(body.position) - held
+    length = float(np.sqrt(line @ line))
+    way = line / length
     stiffness, damping = spring.stiffness / body.mass, spring.damping / body.mass
-    weight = float(np.array(scenario.gravity) @ ends.direction)
+    weight = float(np.array(scenario.gravity) @ way)
     slowed = 1 + damping * dt + (stiffness * dt**2 if method.rule == DART_JOINT else 0.0)
-    length, rate = ends.length, ends.rate
+    rate = float(np.array(body.velocity) @ way)
     found = [(length, rate)]
     for _ in range(settings.steps_for(scenario.duration)):
         rate = (rate + dt * (weight - stiffness * (length - spring.rest_length))) / slowed
         length += dt * rate
         found.append((length, rate))
     lengths, rates = np.array(found).T[..., None]
-    path = Path(ends.fixed + lengths * ends.direction, rates * ends.direction)
+    path = Path(held + lengths * way, rates * way)
     return Prediction(trajectory_of(scenario, settings, {body.name: path}), ROUNDING)

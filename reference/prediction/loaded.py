@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET_DAMPED, Method
+from reference.engines.base import BULLET_DAMPED, DART, Method
 from reference.prediction import integrators, joints
+from reference.prediction.bodies import darts_turn
+from reference.prediction.forces import Forces
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene import geometry
-from reference.scene.loads import Loads
 from reference.scene.scenario import Scenario, Sphere
 from reference.scene.settings import Settings
 
@@ -35,12 +34,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     moments = np.array([body.moments_of_inertia() for body in bodies])
     if np.any(np.ptp(moments, axis=-1) > 0):
         return None
-    fluid, felt = scenario.fluid, scenario
-    if fluid and method.drag != 1:
-        if any(any(body.angular_velocity) for body in bodies):
-            return None  # a spin is slowed by another share
-        felt = replace(scenario, fluid=replace(fluid, viscosity=fluid.viscosity * method.drag))
-    dt, steps, loads = settings.timestep, settings.steps_for(scenario.duration), Loads(felt)
+    if scenario.fluid and method.drag != 1 and any(any(body.angular_velocity) for body in bodies):
+        return None  # a spin is slowed by another share
+    dt, steps, forces = settings.timestep, settings.steps_for(scenario.duration), Forces(scenario, method.drag)
     mass, gravity = np.array([body.mass for body in bodies])[:, None], np.array(scenario.gravity)
     damping = BULLETS_DAMPING if method.rule == BULLET_DAMPED else 0.0
     state = np.array([body.state() for body in scenario.bodies])
@@ -54,7 +50,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             place: Array, moving: Array, time: float = number * dt, now: tuple[Array, ...] = (orientation, spin, torque)
         ) -> Array:
             turn, turning, twist = now
-            force, twist[:] = loads.on_bodies(time, place, turn, moving, turning)
+            force, twist[:] = forces.on_bodies(time, place, turn, moving, turning)
             own = moving[movable]
             found = np.zeros(place.shape)
             found[movable] = gravity + force[movable] / mass
@@ -66,7 +62,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         if np.any(spin) or np.any(torque):
             spin[movable] += dt * (torque[movable] / moments - _lost(damping, spin[movable]))
         if np.any(spin):
-            orientation = geometry.turned(orientation, dt * spin)
+            turn = darts_turn(dt * spin) if method.rule == DART else dt * spin
+            orientation = geometry.turned(orientation, turn)
         state = np.concatenate([position, orientation, velocity, spin], axis=-1)
         states.append(state)
     ways = np.array(states)

@@ -22,8 +22,9 @@ from reference.engines.base import (
 from reference.engines.dart_settings import SOFTNESS
 from reference.prediction import friction
 from reference.prediction.axes import bullets_axes
-from reference.prediction.bouncing import CORNERS, by_steps
+from reference.prediction.bouncing import BULLETS_REACH, CORNERS, by_steps
 from reference.prediction.drives import Drive, drive_of
+from reference.prediction.forces import pushed
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.prediction.laws import law_of
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
@@ -33,8 +34,6 @@ from reference.scene.settings import Settings
 
 STRAIGHT = 1e-9
 """Sine of the angle between two directions that count as one."""
-BULLETS_REACH = 0.02
-"""Bullet drops a contact point that a step moves by more than this share of the radius around a body."""
 ROCKING, ROCKING_NEAR_CRITICAL, NEAR_CRITICAL = 1.0, 3.0, 0.05
 """How far MuJoCo's friction makes a sliding box rock, in m for each second of the timestep: times its height over its
 width, and more where its weight pulls it nearly as much as friction holds. 0.39 was measured for a cube, 0.015 for a
@@ -101,9 +100,22 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     critical = drive is not None or (speed == 0 and abs(pull + kinetic * fall) < NEAR_CRITICAL * abs(pull))
     rocking = ROCKING_NEAR_CRITICAL if critical else ROCKING * _height_over_width(body, normal, ahead)
     near, why = _nearness(body, settings, method, float(np.max(np.linalg.norm(velocity, axis=1))), fall, holds, rocking)
+    if method.rule == MUJOCO_ONE_STEP and isinstance(body.shape, Box) and (turned := _turned_back(courses)):
+        near, why = near + turned * turning[1], f"{why}; where it turns back, friction finds another slip"
     if drive and method.rule != RESPOND_THEN_STEP:
         near, why = near + _late(drive, pair, fall), f"{why}; in the step of a break-away friction is not settled"
     return Prediction(trajectory, near, why)
+
+
+def _turned_back(courses: list[tuple[Array, Array]]) -> float:
+    """What steps change of the speed where a body turns back, m/s, added up.
+
+    Friction turns a box about its centre, and in the next step normal forces turn it back: a share of what friction
+    took from the slip is there again. Before and after a turn these are of opposite sign, and how the box rocks in
+    between decides what is left: up to this share of a step's change of speed.
+    """
+    turns = sum(int(np.count_nonzero(speeds[:-1] * speeds[1:] < 0)) for speeds, _ in courses)
+    return turns * max(float(np.max(np.abs(np.diff(speeds)))) for speeds, _ in courses)
 
 
 def _late(drive: Drive, pair: Pair, fall: float) -> float:
@@ -118,7 +130,7 @@ def _late(drive: Drive, pair: Pair, fall: float) -> float:
 
 def _acceleration(scenario: Scenario, body: Body) -> Array:
     """What weight and the forces on a body make of its velocity without a contact, (3,), m/s²."""
-    forces = [np.array(each.at(0.0)) for each in scenario.forces if each.body == body.name]
+    forces = [pushed(each, 0.0) for each in scenario.forces if each.body == body.name]
     return np.asarray(np.array(scenario.gravity) + sum(forces, np.zeros(3)) / body.mass)
 
 

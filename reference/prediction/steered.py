@@ -7,10 +7,12 @@ import numpy as np
 from reference.engines.base import BULLET_DAMPED, Method
 from reference.engines.steering import steers_of
 from reference.errors import CollisionsError, as_failed_run
+from reference.prediction.forces import Forces
 from reference.prediction.loaded import BULLETS_DAMPING
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene.clearance import nearest
-from reference.scene.loads import Loads, Steers
+from reference.scene.forces import Force
+from reference.scene.loads import Steers
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -44,13 +46,14 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
 
 def without_contacts(scenario: Scenario, settings: Settings, steers: Steers | None, damping: float = 0.0) -> Trajectory:
     """How bodies move that are steered and go through each other."""
-    paths = _paths(scenario, settings, Loads(scenario, steers=steers), damping)
-    return trajectory_of(scenario, settings, paths)
+    return trajectory_of(scenario, settings, _paths(scenario, settings, steers, damping))
 
 
-def _paths(scenario: Scenario, settings: Settings, loads: Loads, damping: float) -> dict[str, Path]:
+def _paths(scenario: Scenario, settings: Settings, steers: Steers | None, damping: float) -> dict[str, Path]:
     """The ways of all bodies that can be moved. As long as the accelerations stay as they are, many steps are one."""
-    dt, steps = settings.timestep, settings.steps_for(scenario.duration)
+    dt, steps, forces = settings.timestep, settings.steps_for(scenario.duration), Forces(scenario)
+    others = scenario.springs or scenario.attractions or scenario.fluid
+    steady = damping == 0 and not others and all(isinstance(push, Force) for push in scenario.forces)
     position, orientation, velocity, spin = np.split(
         np.array([body.state() for body in scenario.bodies]), (3, 7, 10), 1
     )
@@ -58,14 +61,16 @@ def _paths(scenario: Scenario, settings: Settings, loads: Loads, damping: float)
     weight = np.where(inverse_mass > 0, np.array(scenario.gravity), 0.0)
     positions, velocities, number = [position[None]], [velocity[None]], 0
     while number < steps:
-        force, _ = loads.on_bodies(number * dt, position, orientation, velocity, spin)
-        last = steps - number if damping == 0 else 1
-        alike = next((more for more in range(1, last) if loads.kept((number + more) * dt) is None), last)
+        force, _ = forces.on_bodies(number * dt, position, orientation, velocity, spin)
+        last = steps - number if steady else 1
+        if steers:
+            force = force + steers(number * dt, position, velocity)
+            last = next((more for more in range(1, last) if not steers.waits((number + more) * dt)), last)
         lost = damping * (1 + np.linalg.norm(velocity, axis=-1, keepdims=True)) * velocity
-        gained = np.arange(1, alike + 1)[:, None, None] * dt * (weight + inverse_mass * force - lost)
+        gained = np.arange(1, last + 1)[:, None, None] * dt * (weight + inverse_mass * force - lost)
         velocities.append(velocity + gained)
         positions.append(position + dt * np.cumsum(velocities[-1], axis=0))
-        position, velocity, number = positions[-1][-1], velocities[-1][-1], number + alike
+        position, velocity, number = positions[-1][-1], velocities[-1][-1], number + last
     ways, speeds = np.concatenate(positions), np.concatenate(velocities)
     movable = ((place, body) for place, body in enumerate(scenario.bodies) if not body.immovable)
     return {body.name: Path(ways[:, place], speeds[:, place]) for place, body in movable}

@@ -18,7 +18,7 @@ from reference.engines.base import (
     Method,
 )
 from reference.prediction.bodies import Bodies, State
-from reference.prediction.both import Both, NoRule, along_its_base, points_of
+from reference.prediction.both import ASIDE, Both, NoRule, along_its_base, points_of
 from reference.prediction.impulses import Rule, rule_of
 from reference.prediction.laws import BULLETS_PUSHED_TURN
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
@@ -47,7 +47,7 @@ MOST_PIVOTED = 2
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
     """What the method makes of a ball and all that it strikes; None where a pair has no ball, or no rule is written."""
-    bodies = Bodies(scenario)
+    bodies = Bodies(scenario, method.rule)
     found = meetings(bodies)
     rules = [rule_of(settings, method, meeting.pair) for meeting in found or ()]
     if found is None or not all(rules):
@@ -180,7 +180,8 @@ class Striking:
             return self._runge_kutta(state)
         change, push = self.changes(state)
         velocity, spin = state.velocity + change[:, 0], state.spin + change[:, 1]
-        after = _moved(state, velocity * self.dt + push[:, 0], spin * self.dt + push[:, 1], velocity, spin)
+        turn = self.bodies.turned_by(spin * self.dt + push[:, 1])
+        after = _moved(state, velocity * self.dt + push[:, 0], turn, velocity, spin)
         if self.keeps_contacts:
             self._check_sides(state, after)
         return after
@@ -214,7 +215,7 @@ class Striking:
             touched = touch(self.bodies, state, meeting)
             touched = replace(touched, gap=touched.gap - self.margin)
             if touched.gap <= self.reach:
-                both = Both(self.bodies, state, meeting, touched, self.points)
+                both = Both(self.bodies, state, meeting, touched, self.points, rule.felt)
                 if self.in_a_pyramid and meeting.pair.kinetic_friction > 0 and not along_its_base(both):
                     raise NoRule
                 contacts.append((both, rule))
@@ -227,10 +228,19 @@ class Striking:
             for each in zip(*((both.rows(), both.effects()) for both, _ in contacts), strict=True)
         )
         impulses, pushes = swept(contacts, rows @ effects.T, rows @ change.ravel())
-        change += (impulses @ effects).reshape(change.shape)
+        by_contacts = (impulses @ effects).reshape(change.shape)
+        if any(_leads_aside(both, rule, by_contacts) for both, rule in contacts):
+            raise NoRule
+        change += by_contacts
         push = (pushes @ effects[1::2]).reshape(change.shape)
         push[:, 1] *= self.pushed_turn
         return change, push
+
+
+def _leads_aside(both: Both, rule: Rule, by_contacts: Array) -> bool:
+    """Whether other contacts of a step change the slip of one across its direction, so that friction turns."""
+    rough = max(both.meeting.pair.kinetic_friction, rule.least_friction) > 0
+    return rough and abs(both.aside(by_contacts)) > ASIDE * float(np.max(np.abs(by_contacts)))
 
 
 def _moved(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:

@@ -36,10 +36,13 @@ class Touch:
 
 
 def meetings(bodies: Bodies) -> list[Meeting] | None:
-    """The pairs of a scenario, a ball first in each; None where a pair has no ball."""
+    """The pairs of a scenario, a ball first in each; None where a pair has no ball.
+
+    Of two balls the one that the scenario has first is A: hand-written code lets the impulse act on its surface.
+    """
     found = []
     for pair in bodies.scenario.pairs:
-        first, second = (bodies.scenario.index(name) for name in (pair.body_a, pair.body_b))
+        first, second = sorted(bodies.scenario.index(name) for name in (pair.body_a, pair.body_b))
         if not isinstance(bodies.shapes[first], Sphere):
             first, second = second, first
         if not isinstance(bodies.shapes[first], Sphere):

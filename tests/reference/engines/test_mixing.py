@@ -51,9 +51,22 @@ def test_pairs_that_no_choice_gives_are_reported():
     assert mixing.greatest(scenario(*other), restitution) is None  # a body that makes 0.5 spoils a 0.2
 
 
-def test_the_minimum_rule_can_express_pairs_that_a_product_cannot():
+@given(shares, shares, shares)
+def test_a_product_of_numbers_up_to_one_is_found_for_a_chain(first, second, third):
+    """DART takes 0 for a number above 1: a ball between a plane of e = 0.8 and one of 0.9 bounced off neither."""
+    chain = [Pair("floor", "ball 0", first), Pair("ball 0", "ball 1", second), Pair("ball 1", "ball 2", third)]
+    star = [Pair("ball 0", "floor", first), Pair("ball 0", "ball 1", second), Pair("ball 0", "ball 2", third)]
+    for pairs in (chain, star):
+        chosen = mixing.factors(scenario(*pairs), restitution, most=1.0)
+        # With f₀f₁ = a, f₁f₂ = b and f₂f₃ = c, f₁ is at least a, and at most b/c or f₂ is less than c.
+        assert (chosen is None) == (pairs is chain and first * third > second)
+        for pair in pairs if chosen else ():
+            assert chosen[NAMES[pair.body_a]] * chosen[NAMES[pair.body_b]] == pytest.approx(pair.restitution, rel=1e-14)
+            assert max(chosen) <= 1
+
+
+def test_the_minimum_rule_can_express_a_ring():
     ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.2), Pair("ball 2", "ball 0", 0.2)]
-    assert mixing.factors(scenario(*ring), restitution) is None
     assert mixing.least(scenario(*ring), restitution) == [0.0, 0.5, 0.5, 0.2]
 
 

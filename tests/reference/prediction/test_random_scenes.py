@@ -1,0 +1,124 @@
+"""Every recurrence on scenes that nobody chose: a run is within its band, or the recurrence says nothing."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+import random_scenes as scenes
+from hypothesis import given, note, settings
+from hypothesis import strategies as st
+
+from reference.engines import Engine, engine_names
+from reference.errors import CannotExpress, NeedsFunction
+from reference.prediction import (
+    answering,
+    bouncing,
+    corners,
+    draped,
+    edges,
+    loaded,
+    passing,
+    sliding,
+    steered,
+    striking,
+)
+from reference.prediction.predicted import Prediction
+from reference.scene.scenario import Box, Scenario, Sphere
+from reference.scene.trajectory import Trajectory
+
+PLACES = "positions", "velocities"
+EVERYTHING = (*PLACES, "angular_velocities", "orientations", "answers", "watched")
+
+
+@dataclass(frozen=True)
+class Kind:
+    """scenes: what is drawn. predict: the recurrence. of: what it says."""
+
+    scenes: st.SearchStrategy[Scenario]
+    predict: Callable[..., Prediction | None]
+    of: tuple[str, ...] = EVERYTHING
+
+
+KINDS = {
+    "bouncing": Kind(scenes.bounces(), bouncing.predict),
+    "striking": Kind(scenes.strikes(), striking.predict),
+    "sliding": Kind(scenes.slides(), sliding.predict, PLACES[:1]),
+    "driven": Kind(scenes.drives(), sliding.predict, PLACES[:1]),
+    "loaded": Kind(scenes.loaded_balls(), loaded.predict),
+    "joints": Kind(scenes.springs(), loaded.predict),
+    "draped": Kind(scenes.drapes(), draped.predict),
+    "passing": Kind(
+        scenes.shots(), passing.predict, PLACES
+    ),  # where a centre lies in a box, Bullet's contact is 7 nm beside it
+    "steered": Kind(scenes.fliers(), steered.predict),
+    "corners": Kind(scenes.corners(), corners.predict),
+    "edges": Kind(
+        scenes.crossed_edges(), edges.predict, PLACES[1:]
+    ),  # nor how overlap is taken back and the boxes tumble
+    "answering": Kind(scenes.surveys(), answering.predict),
+}
+
+
+def bands_off(ran: Trajectory, prediction: Prediction, of: tuple[str, ...] = EVERYTHING) -> float:
+    """The largest difference of any number from the predicted one, in bands; spins as speeds at the surface, m/s."""
+    then = prediction.trajectory
+    sizes = np.array([_size(body.shape) for body in ran.scenario.bodies])[:, None]
+    same = np.sign(np.sum(ran.orientations * then.orientations, axis=-1, keepdims=True))  # q and −q are one orientation
+    units = {"angular_velocities": (sizes, sizes), "orientations": (1.0, same)}
+    worst = 0.0
+    for name in of:
+        unit, unit_of_expected = units.get(name, (1.0, 1.0))
+        found, expected = unit * getattr(ran, name), unit_of_expected * getattr(then, name)
+        alike = (found == expected) | np.isnan(expected)  # also where both are infinite
+        off = np.abs(np.where(alike, 0.0, found) - np.where(alike, 0.0, expected))
+        bands = prediction.near * np.maximum(1.0, np.abs(np.where(alike, 1.0, expected)))
+        worst = max(worst, float(np.max(off / bands, initial=0.0)))
+    return worst
+
+
+def _size(shape) -> float:
+    if isinstance(shape, Sphere):
+        return shape.radius
+    return math.hypot(*shape.half_extents) if isinstance(shape, Box) else 1.0
+
+
+def runs_of(kind: Kind, engine: Engine, scenario: Scenario, share: float):
+    """Each profile of an engine that has a recurrence of a scene: its name and how many bands its run is off."""
+    for profile in engine.profiles(scenario):
+        told = engine.settings(scenario, profile)
+        told = told.change(timestep=share * told.timestep)
+        prediction = kind.predict(scenario, told, engine.method(scenario, told))
+        if prediction is None:
+            continue
+        try:
+            yield profile, bands_off(engine.run(scenario, told), prediction, kind.of)
+        except (CannotExpress, NeedsFunction):
+            continue
+
+
+def check(kind: Kind, count: int, installed) -> Counter[tuple[str, str]]:
+    """Try so many scenes, and count those that each engine's profile had a recurrence of."""
+    engines, tried = [installed(name) for name in engine_names()], Counter[tuple[str, str]]()
+
+    @settings(max_examples=count)
+    @given(kind.scenes, scenes.between(0.55, 1.0))
+    def follows(scenario: Scenario, share: float) -> None:
+        for engine in engines:
+            for profile, off in runs_of(kind, engine, scenario, share):
+                note(f"{engine.name}, {profile}, timestep × {share}: {off:.3g} bands")
+                assert off <= 1
+                tried[engine.name, profile] += 1
+
+    follows()
+    return tried
+
+
+@pytest.mark.parametrize("count", [pytest.param(5, marks=pytest.mark.slow), pytest.param(60, marks=pytest.mark.weekly)])
+@pytest.mark.parametrize("name", KINDS)
+def test_a_run_is_as_predicted_or_nothing_is_predicted(name, count, installed):
+    assert check(KINDS[name], count, installed)
