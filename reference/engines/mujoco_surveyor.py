@@ -43,13 +43,10 @@ class Surveyor:
     def crossings(self, body: Body, start: tuple[float, ...], end: tuple[float, ...]) -> list[float]:
         """MuJoCo gives the first hit of a ray."""
         model, state = self._at(body)
-        way, hit = (
-            np.subtract(end, start),
-            np.empty((1, 1), dtype=np.int32),
-        )  # which 3.3 must give
+        way = np.subtract(end, start)
 
         def first(place: Array) -> float:
-            return float(self._mujoco.mj_ray(model, state, place, way, SEEN, 1, -1, hit))
+            return float(self._mujoco.mj_ray(model, state, place, way, SEEN, 1, -1, None))
 
         return surveying.marched(first, start, end)
 
