@@ -124,12 +124,12 @@ def damped_oscillator(
     time = finite("t", not_negative("t", t))
     m = positive("mass", mass)
     beta, squared = not_negative("damping", damping) / (2 * m), not_negative("stiffness", stiffness) / m
-    cosine, sine = _response(beta, squared, time)
+    cosine, sine = free_response(beta, squared, time)
     return x * cosine + (v + beta * x) * sine, v * cosine - (squared * x + beta * v) * sine
 
 
-def _response(beta: Array, squared: Array, time: Array) -> tuple[Array, Array]:
-    """C and S of the oscillator.
+def free_response(beta: Array, squared: Array, time: Array) -> tuple[Array, Array]:
+    """C and S of `damped_oscillator`, from β, ω² and the time.
 
     They are written so that no two large numbers are subtracted.
     """

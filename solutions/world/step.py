@@ -115,6 +115,7 @@ def advance_world(
             wanted,
             restitution,
             start,
+            memory.unsettled > 0,
             dt,
             rules,
         )
@@ -129,7 +130,11 @@ def advance_world(
     after = moved_on(bodies, state, velocity, spin, push, dt)
     return (
         after,
-        Memory(contacts.key, np.vecmat(impulse, rows.direction)),
+        Memory(
+            contacts.key,
+            np.vecmat(impulse, rows.direction),
+            unsettled=max(memory.unsettled - 1, 0),
+        ),
         contacts,
     )
 
