@@ -69,7 +69,7 @@ def compare(
         planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments, parameters=at)
         with jobs.continuing(cache):
             results = compared = jobs.run(planned, workers, cache, seconds=seconds)
-        print_comparison(output, sections(compared), cases)
+        print_comparison(output, sections(compared), cases, jobs.which_functions_ran(compared))
         rows = [row for result in compared for row in result.rows]
         for line in differences(rows, earlier) if against else ():
             output.print(line, markup=False, soft_wrap=True)

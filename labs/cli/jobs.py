@@ -22,8 +22,9 @@ from reference.catalogue.scenarios import catalogue, find
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names
+from reference.engines.implementation import Implementation
 from reference.engines.profiles import TUNED, counts
-from reference.errors import CannotWrite, InvalidInput
+from reference.errors import CannotWrite, InvalidInput, listed
 from reference.published.theirs import published_cases
 from reference.recording.files import never_recorded
 from reference.report.overview import without_answer
@@ -236,6 +237,22 @@ def continuing(cache: Cache) -> Iterator[None]:
     except (KeyboardInterrupt, CannotWrite, OSError) as error:
         error.add_note(cache.promise)
         raise
+
+
+def which_functions_ran(results: Sequence[JobResult]) -> str:
+    """Of the functions in the files of the hand-written code, which were called and which were not; "" without files.
+
+    Results of the cache and of recordings say so too: each knows what its own run called.
+    """
+    called = {name for result in results for name in result.functions}
+    said = []
+    for source in dict.fromkeys(result.job.implementation for result in results):
+        for file, names in Implementation(source).own_functions().items():
+            ran = [name for name in names if name in called]
+            idle = [name for name in names if name not in called]
+            words = [f"called {listed(ran)}" if ran else "called none", f"not {listed(idle)}" if idle else ""]
+            said.append(f"Of the functions in {file} these runs {', and '.join(filter(None, words))}.")
+    return " ".join(said)
 
 
 def end(results: Sequence[Result], judged: bool = True) -> int:

@@ -57,6 +57,8 @@ def report(
             if first:
                 error.add_note(f"The report is not finished. {out / PAGE} is still the first page, {first}.")
             raise
+    if words := jobs.which_functions_ran(results):
+        output.print(words, markup=False)
     output.print(verdict_line([row for result in results for row in result.rows]))
     if cases:
         output.print(PublishedTables.of(cases).sentence)

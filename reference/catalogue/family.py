@@ -52,6 +52,7 @@ class Quantity:
     such number. share_of: what a number without a unit is a share of, where its title does not say so. asked: the same
     number by the implementation's own answers to questions of geometry, where it is to be that; a prediction, which
     answers none, is measured. cost: it says what a run takes, a number that implementations need not agree on.
+    reported: it is read from what an implementation says of its contacts. No recurrence predicts a cost or a report.
     """
 
     name: str
@@ -65,6 +66,7 @@ class Quantity:
     share_of: str = ""
     asked: Callable[[Trajectory, Callable[[Query], float]], float] | None = None
     cost: bool = False
+    reported: bool = False
 
     def theory(self, case: Case) -> float | None:
         """What theory says, which depends on no engine and no timestep; None where it has no figure."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation, Family, Quantity
-from reference.comparison.verdicts import NOTHING_FINITE, Row, Verdict, judge, verdict_of
+from reference.comparison.verdicts import AS_IT_MUST, NOTHING_FINITE, Row, Verdict, judge, verdict_of
 from reference.engines.base import Engine, Method
 from reference.errors import (
     CannotExpress,
@@ -27,7 +27,7 @@ from reference.errors import (
 )
 from reference.prediction.predicted import Prediction
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Trajectory
+from reference.scene.trajectory import Trajectory, held
 
 _OUT_OF_RANGE = functools.partial(np.errstate, over="ignore", invalid="ignore")
 """A run that explodes leaves the range of numbers; its trajectory is refused for that, and needs no warning."""
@@ -49,12 +49,14 @@ def compare_case(
     try:
         with as_failed_run(), _OUT_OF_RANGE():
             trajectories = list(ran) if ran else engine.run_many(case.scenarios, settings)
+            for trajectory in trajectories:
+                trajectory.check_whole()
             method = engine.method(case.scenarios[0], settings)
         numbers = {quantity.name: measured(quantity, trajectories, engine) for quantity in family.quantities}
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
         blank = Row(family.name, case.name, engine.name, profile, "", "", verdict_of(error))
         return [replace(blank, note=str(error), settings=settings.describe())], []
-    return judged(family, case, engine.name, profile, settings, method, numbers), trajectories
+    return judged(family, case, engine.name, profile, settings, method, numbers, with_evidence=True), trajectories
 
 
 @dataclass(frozen=True)
@@ -116,8 +118,12 @@ def judged(
     settings: Settings,
     method: Method,
     numbers: Mapping[str, Number],
+    with_evidence: bool = False,
 ) -> list[Row]:
-    """A row for each quantity: its number, what theory and the method's recurrence say of it, and the verdict."""
+    """A row for each quantity: its number, what theory and the method's recurrence say of it, and the verdict.
+
+    with_evidence: whether each row also says if bodies that never leave their start would pass.
+    """
     blank = Row(family.name, case.name, engine, profile, "", "", Verdict.SHOWN, settings=settings.describe())
     predictions = predicted(family, case, settings, method)
     rows = []
@@ -138,8 +144,19 @@ def judged(
         against = _Against.of(quantity, predictions, size, slack)
         if against is not None:
             row = replace(row, shift=0.0)  # the recurrence says it better
-        rows.append(_with_number(row, numbers[quantity.name], expectation, against))
+        found = _with_number(row, numbers[quantity.name], expectation, against)
+        if with_evidence and found.verdict in AS_IT_MUST:
+            idle = (_with_number(row, number, expectation, against) for number in _held(quantity, case, settings))
+            found = replace(found, evidence=not any(each.verdict in AS_IT_MUST for each in idle))
+        rows.append(found)
     return rows
+
+
+def _held(quantity: Quantity, case: Case, settings: Settings) -> Iterator[Number]:
+    """What is measured of runs in which nothing moves: whether the velocities stay what they were, or are zero."""
+    for speed in (1.0, 0.0):
+        with np.errstate(all="ignore"):  # a share of a way that is zero
+            yield measured(quantity, [held(scenario, settings, speed) for scenario in case.scenarios])
 
 
 def predicted(family: Family, case: Case, settings: Settings, method: Method) -> list[Prediction]:
@@ -168,11 +185,11 @@ class _Against:
 
     @classmethod
     def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float, slack: float) -> _Against | None:
-        """None without a prediction, and where rounding decides what the number is.
+        """None where no recurrence predicts the number, and where rounding decides what it is.
 
         size: as in `Expectation`. slack: as `Quantity.slack` says.
         """
-        if not predictions:
+        if not predictions or quantity.cost or quantity.reported:
             return None
         number = measured(quantity, [each.trajectory for each in predictions])
         if number.undecided:

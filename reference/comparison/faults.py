@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 
+import numpy as np
+
 from reference.comparison import faulty_worlds as worlds
 from reference.comparison.faulty_worlds import World
 from reference.engines.base import EXACT, Engine, Method
@@ -35,6 +37,7 @@ class Fault:
     `%`, an angle where it is `°`, and "" for a fault that has no size. first: the size of the first run, from which the
     slope of each number is taken. most: the largest size that is tried. mirrored: whether each number deviates from
     theory to the other side. of_a_pair: whether the quantity is a coefficient, which some cases of a family may lack.
+    of_contacts: whether it is in the contacts that are reported, so that it is tried where a number is read from them.
     """
 
     name: str
@@ -47,6 +50,7 @@ class Fault:
     most: float = 0.0
     mirrored: bool = False
     of_a_pair: bool = False
+    of_contacts: bool = False
 
 
 def run_with_fault(
@@ -60,6 +64,23 @@ def run_with_fault(
 
 
 # What is reported
+
+
+def _quaternions_in_another_order(trajectory: Trajectory) -> Trajectory:
+    """Each quaternion is written as x y z w, and read as w x y z."""
+    return replace(trajectory, orientations=np.roll(trajectory.orientations, -1, axis=-1))
+
+
+def _bodies_swapped(trajectory: Trajectory) -> Trajectory:
+    """Each contact has its second body for the first, and still the same normal."""
+    contacts = trajectory.contacts
+    return replace(trajectory, contacts=replace(contacts, body_a=contacts.body_b, body_b=contacts.body_a))
+
+
+def _gap_for_overlap(trajectory: Trajectory) -> Trajectory:
+    """Each contact has an overlap where there is a gap, and the other way round."""
+    contacts = trajectory.contacts
+    return replace(trajectory, contacts=replace(contacts, separation=-contacts.separation))
 
 
 def _one_sample_early(trajectory: Trajectory) -> Trajectory:
@@ -119,6 +140,12 @@ FAULTS = (
     ),
     Fault("sample", "a sample early", lambda *_: True, report=_one_sample_early),
     Fault("sign", "sign of the deviation", lambda *_: True, mirrored=True),
+    Fault(
+        "quaternion", "order of a quaternion",
+        worlds.something_turns, report=_quaternions_in_another_order,
+    ),
+    Fault("bodies", "bodies of a contact swapped", lambda *_: True, report=_bodies_swapped, of_contacts=True),
+    Fault("overlap", "sign of an overlap", lambda *_: True, report=_gap_for_overlap, of_contacts=True),
     Fault(
         "normal", "direction of a normal",
         lambda scenario, _: worlds.turnable(scenario) is not None,

@@ -15,7 +15,7 @@ from reference.engines.base import Method
 from reference.scene import geometry
 from reference.scene.forces import OscillatingForce
 from reference.scene.polyhedron import Polyhedron
-from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 
 World = tuple[Scenario, Settings]
@@ -64,6 +64,11 @@ def _movable(scenario: Scenario) -> list[Body]:
 def something_moves(scenario: Scenario, _: Method) -> bool:
     """Whether any body can move."""
     return bool(_movable(scenario))
+
+
+def something_turns(scenario: Scenario, _: Method) -> bool:
+    """Whether it can be seen how a movable body is turned."""
+    return any(not isinstance(body.shape, Sphere) for body in _movable(scenario))
 
 
 def _with_bodies(scenario: Scenario, settings: Settings, changed: dict[str, Body]) -> World:

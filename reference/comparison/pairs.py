@@ -15,7 +15,7 @@ from enum import StrEnum
 
 from reference.catalogue.apart import why_apart
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.verdicts import Row, Verdict
+from reference.comparison.verdicts import AS_IT_MUST, Row, Verdict
 
 SHARE, LEAST = 1e-3, 1e-6
 """Two numbers are alike at least within this share of what theory says. Where theory has no figure, they are alike
@@ -23,8 +23,6 @@ within this share of the larger one, or within so much in their unit."""
 NO_REASON = "It is not as its method must be, and the lab has no reason for that."
 ROUNDING = 1e-12
 """What rounding alone may leave between two numbers, in their unit."""
-EXPLAINED = (Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.DISAGREES)
-"""Verdicts of numbers that theory and the method account for: whatever is between two such numbers is accounted for."""
 Name = tuple[str, str]
 """An implementation: engine and profile."""
 
@@ -144,7 +142,7 @@ def _pair(one: Row, other: Row) -> Pair:
         difference = subtracted if math.isfinite(subtracted) else None
     if difference is not None and abs(difference) <= near:
         relation = Relation.ALIKE
-    elif one.verdict in EXPLAINED and other.verdict in EXPLAINED:
+    elif one.verdict in AS_IT_MUST and other.verdict in AS_IT_MUST:
         relation = Relation.EXPLAINED
     else:
         relation = Relation.APART
@@ -165,7 +163,7 @@ def _why(both: Sequence[Row]) -> tuple[Reason, ...]:
     """The reasons for those numbers that nothing accounts for: the engine's own, or why theory is silent about them."""
     found = []
     for row in both:
-        if row.verdict in EXPLAINED:
+        if row.verdict in AS_IT_MUST:
             continue
         own = why_apart(row.family, row.engine, row.profile)
         if row.verdict is Verdict.SHOWN and (silent := why_apart(row.family)):

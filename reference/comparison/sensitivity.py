@@ -160,6 +160,8 @@ class Subject:
 
     def names(self, fault: Fault) -> bool:
         """Whether there is anything in the case that this fault can spoil."""
+        if fault.of_contacts and not any(quantity.reported for quantity in self.family.quantities):
+            return False
         return fault.named(self.case.scenarios[0], self.method)
 
     def finding(self, fault: Fault) -> Finding:

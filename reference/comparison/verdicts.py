@@ -46,6 +46,10 @@ class Verdict(StrEnum):
     RUNNING = "running"
 
 
+AS_IT_MUST = (Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.DISAGREES)
+"""Verdicts of numbers that theory and the method account for."""
+
+
 @dataclass(frozen=True)
 class Row:
     """One number of one case in one implementation and profile.
@@ -54,6 +58,7 @@ class Row:
     ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
     number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
     written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+    evidence: whether bodies that never leave their start would have another verdict, so that this one says something.
     engine_version, adapter_version: the version of the engine that gave the number, or should have, and that of the lab
     which told it the scenario; of a recording the second is not known. recorded_on: on which day the number was
     recorded (ISO 8601); empty where the engine ran here.
@@ -78,6 +83,7 @@ class Row:
     band: float | None = None
     off: float | None = None
     values: tuple[float, ...] = ()
+    evidence: bool = True
     settings: str = field(default="", compare=False)
     engine_version: str = field(default="", compare=False)
     adapter_version: str = field(default="", compare=False)

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from importlib.machinery import PathFinder
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -35,7 +35,8 @@ class Implementation:
 
     source: an importable package with one module a topic (`"solutions"`), or the path of a `.py` file that holds the
     functions side by side, as a student hands it in; or several of these, `lab.py | labs.given`: what the first does
-    not define comes from the next. A string can be pickled. asked: the names of the functions that a run has used.
+    not define comes from the next. A string can be pickled. asked: the names of the functions that a run has used, also
+    those of a file that its other functions call.
     """
 
     source: str = "solutions"
@@ -82,6 +83,14 @@ class Implementation:
                 return False
         return ours
 
+    def own_functions(self) -> dict[str, tuple[str, ...]]:
+        """By file, the public functions that it defines itself; none of packages. No code is run to find out."""
+        paths = [Path(source) for source in self.sources if Path(source).suffix == ".py"]
+        return {
+            path.name: tuple(each.name for each in ast.parse(path.read_bytes()).body if _is_public(each))
+            for path in paths
+        }
+
     def first_defined(self, names: Sequence[str]) -> str:
         """The first of these names that the first source defines which defines any; the last name if none does."""
         for source in self.sources:
@@ -97,14 +106,17 @@ class Implementation:
         found = next((each for module in modules if callable(each := getattr(module, name, None))), None)
         if found is None:
             raise _needs(name)
-        self.asked.add(name)
 
         @functools.wraps(found)
         def call(*arguments: Any, **named: Any) -> Any:
+            self.asked.add(name)
+            _CALLED.append(self.asked)
             try:
                 answer = found(*arguments, **named)
             except NotImplementedError as error:
                 raise _needs(_unwritten(error) or name) from None
+            finally:
+                _CALLED.pop()
             if answer is None:
                 raise RunFailed(f"{name} returned nothing: is a return missing?")
             return _in_arrays(answer)
@@ -193,6 +205,32 @@ def _no_file(path: Path) -> InvalidInput:
 
 _DEFINES_NOTHING = (ast.Expr, ast.For, ast.While, ast.If, ast.With, ast.Match)
 _FILES: dict[tuple[Path, bytes], ModuleType] = {}
+_CALLED: list[set[str]] = []
+"""Who listens to the functions of files that are called now, the innermost last: the `asked` of an implementation."""
+
+
+_LISTENER = "__called__"
+"""Under which name the functions of a file find `_note`."""
+
+
+def _note(name: str) -> None:
+    """Note that a function of a file runs."""
+    if _CALLED:
+        _CALLED[-1].add(name)
+
+
+def _is_public(statement: ast.stmt) -> TypeGuard[ast.FunctionDef]:
+    return isinstance(statement, ast.FunctionDef) and not statement.name.startswith("_")
+
+
+def _noting(statement: ast.stmt) -> ast.stmt:
+    """The statement; a public function notes its own name first of all, whoever calls it and under whichever name."""
+    if _is_public(statement):
+        first = statement.body[0]
+        note = ast.Expr(ast.Call(ast.Name(_LISTENER, ast.Load()), [ast.Constant(statement.name)], []))
+        place = int(ast.get_docstring(statement, clean=False) is not None)
+        statement.body.insert(place, ast.fix_missing_locations(ast.copy_location(note, first)))
+    return statement
 
 
 def _load_file(path: Path) -> ModuleType:
@@ -216,8 +254,11 @@ def _run(text: bytes, path: Path, module: ModuleType) -> None:
     statements = ast.parse(text, path).body
     futures = [each for each in statements if isinstance(each, ast.ImportFrom) and each.module == "__future__"]
     flags = {getattr(__future__, alias.name).compiler_flag for each in futures for alias in each.names}
+    module.__dict__[_LISTENER] = _note
     for statement in statements:
-        code = compile(ast.Module([statement], []), path, "exec", functools.reduce(operator.or_, flags, 0), True)
+        code = compile(
+            ast.Module([_noting(statement)], []), path, "exec", functools.reduce(operator.or_, flags, 0), True
+        )
         try:
             exec(code, module.__dict__)
         except Exception:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference.arrays import Array
+from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box
 
@@ -81,7 +82,8 @@ def meeting(body_a: Body, body_b: Body) -> Meeting:
         s, t, _ = np.linalg.solve(np.column_stack([a, -b, np.cross(a, b)]), q - p - time * way)
         if abs(s) <= half_a and abs(t) <= half_b:
             found = Meeting(body_a, body_b, time, normal, rate, ((p, a), (q, b)))
-    assert found is not None, "the edges of the two boxes do not meet"
+    if found is None:
+        raise RunFailed(f"no edge of {body_a.name} meets an edge of {body_b.name}")
     return found
 
 

@@ -180,7 +180,7 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[s
         why = f"its recording is stale: it has no {', '.join(missing)}; collisions record makes a new one"
         return [replace(blank, note=why)]
     method = engine.method(case.scenarios[0], settings)
-    return judged(family, case, engine.name, job.profile, settings, method, numbers)
+    return judged(family, case, engine.name, job.profile, settings, method, numbers, with_evidence=True)
 
 
 def _why_not(

@@ -74,12 +74,18 @@ _WITHOUT = {
 }
 """What is said of one case or of several that have no number. One of them stands for all checks of its case."""
 _ALWAYS = (Verdict.FAIL,)
+_IDLE = ("check", "checks", "would pass even if no body moved")
+"""What is said of one check or of several that are no evidence."""
 
 
 def verdict_line(rows: Sequence[Row]) -> str:
-    """The checks that count: near theory, away from it as predicted, failed; and the cases that have no number."""
+    """The checks that count: near theory, away from it as predicted, failed; and the cases that have no number.
+
+    A check that bodies at rest in their starts would pass as well is no evidence, and is counted apart.
+    """
     every = [row for row in rows if counts(row.profile) and row.verdict not in (Verdict.SHOWN, Verdict.RUNNING)]
-    counted = [row for row in every if not any(row.verdict in verdicts for verdicts in _WITHOUT.values())]
+    judged = [row for row in every if not any(row.verdict in verdicts for verdicts in _WITHOUT.values())]
+    counted = [row for row in judged if row.evidence]
     near = sum(row.verdict is Verdict.PASS and row.expected is not None for row in counted)
     silent = sum(row.verdict is Verdict.PASS and row.expected is None for row in counted)
     parts = [f"Of {_checks(len(counted))}, {near:,} came out as predicted and near theory"]
@@ -89,9 +95,10 @@ def verdict_line(rows: Sequence[Row]) -> str:
         count = sum(row.verdict in verdicts for row in counted)
         if count or verdicts == _ALWAYS:
             parts.append(words.format(f"{count:,}" if count else "none"))
-    cases = {words: sum(row.verdict in verdicts for row in every) for words, verdicts in _WITHOUT.items()}
+    cases = {_IDLE: len(judged) - len(counted)}
+    cases |= {words: sum(row.verdict in verdicts for row in every) for words, verdicts in _WITHOUT.items()}
     others = [f"{n:,} {one if n == 1 else several} {rest}" for (one, several, rest), n in cases.items() if n]
-    return f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {listed(others)}." if others else "")
+    return f"{listed(parts)}." + (f" Besides, {listed(others)}." if others else "")
 
 
 def without_answer(results: Iterable[Result]) -> list[str]:

@@ -74,7 +74,7 @@ def render(
             furthest=furthest_from_theory(found, WORST),
             origins={section.family.name: origins(section) for section in found},
             kinds=KINDS,
-            noticed={section.family.name: kept_sentence(section.family.name) for section in found},
+            noticed={section.family.name: kept_sentence(section) for section in found},
             measured=_measured,
             error_of=error_of,
             matrices={section.family.name: Matrix.of(section) for section in found},

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from reference.comparison.verdicts import Row, Verdict, why
 from reference.engines.handwritten_engine import Handwritten
 from reference.engines.implementation import Implementation
 from reference.engines.steering import functions_of
+from reference.errors import listed
 from reference.report.sections import Line, Section
 
 _SAID = {
@@ -131,7 +132,7 @@ def _words_of(row: Row) -> tuple[str, str]:
 def _remark(words: str, note: str, times: dict[str, dict[str, int]]) -> str:
     who = [f"{name} ({', '.join(map(_times, profiles.items()))})" for name, profiles in times.items()]
     said = _of_one(words) if len(who) == 1 else words
-    return _capital(said.format(who=_listed(who), note=note)) + "."
+    return _capital(said.format(who=listed(who), note=note)) + "."
 
 
 def _times(often: tuple[str, int]) -> str:
@@ -161,7 +162,7 @@ def _sentence(lines: Sequence[Line], opening: str = "") -> str:
         else:
             who = [_named(line, lines) for line in own]
         if own:
-            parts.append((_of_one(words) if len(who) == 1 else words).format(who=_listed(who)))
+            parts.append((_of_one(words) if len(who) == 1 else words).format(who=listed(who)))
     return f"{_capital(opening + '; '.join(parts))}." if parts else ""
 
 
@@ -200,8 +201,3 @@ def _name(line: Line, lines: Sequence[Line]) -> str:
 
 def _by_hand(line: Line) -> bool:
     return line.result.job.engine == Handwritten.name
-
-
-def _listed(names: Iterable[str]) -> str:
-    *first, last = names
-    return f"{', '.join(first)} and {last}" if first else last

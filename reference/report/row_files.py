@@ -21,7 +21,8 @@ from reference.report.agreement import as_content
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
 VERSIONS = {ROWS: 3, PUBLISHED: 3}
-"""Of the schemas of rows. Since version 3 each row has its `engine_version` and `adapter_version`, recorded or not."""
+"""Of the schemas of rows. Since version 3 each row has its `engine_version` and `adapter_version`, recorded or not,
+and says whether it is `evidence`."""
 R = TypeVar("R", Row, PublishedRow)
 
 

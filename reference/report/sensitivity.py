@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from rich.console import Console
 from rich.table import Table
@@ -11,9 +12,12 @@ from rich.text import Text
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.faults import FAULTS, Fault
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity
+from reference.engines.implementation import Implementation
 from reference.engines.profiles import WORLD, counts
+from reference.errors import listed
 from reference.recording import sensitivity as kept
 from reference.report import numbers
+from reference.report.sections import Line, Section
 
 NO_SIZE = "✓"
 ALIKE = 2.0
@@ -23,17 +27,38 @@ _NARROWEST = len("implementation")
 _STYLES = {Outcome.NOTICED: "green", Outcome.NOT_NOTICED: "yellow"}
 
 
-def kept_sentence(family: str) -> str:
-    """What the verdicts that count in a family notice, as the lab has measured it; "" where it has not."""
-    return sentence([each for each in kept.read() if each.family == family])
+def kept_sentence(section: Section) -> str:
+    """What the verdicts that count in a section notice, as the lab has measured it; "" where it has not.
+
+    Where it has measured it of some of the implementations alone, they are named.
+    """
+    asked = [line for line in section.lines if line.counts]
+    found = [(line, of_it) for line in asked if (of_it := _kept_of(line, section.cases))]
+    whose = listed([f"{line.name}{f', {WORLD}' * (of_it.profile == WORLD)}" for line, of_it in found])
+    return sentence([of_it for _, of_it in found], whose if len(found) < len(asked) else "")
 
 
-def sentence(found: Sequence[Sensitivity]) -> str:
-    """The smallest fault of each kind that a verdict that counts notices in one family, and what they do not notice."""
+def _kept_of(line: Line, cases: Sequence[str]) -> Sensitivity | None:
+    """What was measured of just this line: the lab's own code, in a profile's own settings, in the cases that ran."""
+    job = line.result.job
+    functions = line.result.functions
+    if job.changes or job.at or (functions and not Implementation(job.implementation).takes_ours(functions)):
+        return None
+    known = {(each.family, each.engine, each.profile): each for each in kept.read()}
+    found = known.get((job.family, job.engine, job.profile))
+    own = tuple(each for each in found.findings if not each.case or each.case in cases) if found else ()
+    return replace(found, findings=own) if found and own else None
+
+
+def sentence(found: Sequence[Sensitivity], whose: str = "") -> str:
+    """The smallest fault of each kind that a verdict that counts notices in one family, and what they do not notice.
+
+    whose: the implementations, where it is not said of all that stand there.
+    """
     tuned = [each for each in found if counts(each.profile)]
     sizes = list(filter(None, (_sizes(tuned, fault) for fault in FAULTS if fault.most)))
     parts = {
-        "The smallest fault that a verdict here would notice": sizes,
+        f"The smallest fault that a verdict {f'on {whose}' if whose else 'here'} would notice": sizes,
         "Not noticed": list(filter(None, (_missed(tuned, fault) for fault in FAULTS))),
         "Without effect on any number": [fault.title for fault in FAULTS if _is_idle(tuned, fault)],
     }

@@ -46,8 +46,8 @@ _STYLES = {
 _RELATIONS = {Relation.ALIKE: "green", Relation.EXPLAINED: "yellow", Relation.APART: "red"}
 
 
-def print_comparison(console: Console, found: Iterable[Section], with_cases: bool = False) -> None:
-    """Print each family with its question and its tables, then the overview, and what the marks mean."""
+def print_comparison(console: Console, found: Iterable[Section], with_cases: bool = False, remark: str = "") -> None:
+    """Print each family with its question and its tables, then the overview, what the marks mean, and a remark."""
     found = list(found)
     for section in found:
         console.print()
@@ -58,7 +58,7 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
             console.print(table)
         _print_remarks(console, section, with_cases)
         _print_agreement(console, Matrix.of(section))
-        if noticed := kept_sentence(section.family.name):
+        if noticed := kept_sentence(section):
             console.print(Text(noticed, style="dim"))
     rows = [row for section in found for line in section.lines for row in line.result.rows]
     versions = compared(line.result for section in found for line in section.lines)
@@ -73,6 +73,8 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
         console.print(Text(recorded))
     if between := agreement.sentence(pair for section in found for pair in section.pairs):
         console.print(Text(between))
+    if remark:
+        console.print(Text(remark))
     console.print(Text(verdict_line(rows), style="bold"))
 
 

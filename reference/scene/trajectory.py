@@ -13,7 +13,7 @@ from reference.arrays import Array
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Scenario
-from reference.scene.settings import Settings
+from reference.scene.settings import ROUNDING, Settings
 
 
 def _read_only(values: NDArray[Any]) -> NDArray[Any]:
@@ -108,6 +108,13 @@ class Trajectory:
     def __reduce__(self) -> tuple[object, ...]:
         return Trajectory, tuple(getattr(self, entry.name) for entry in fields(self))  # read-only on the other side too
 
+    def check_whole(self) -> None:
+        """Refuse a run that does not begin at zero, or that ends before its scenario does."""
+        first, last, duration = self.times[0], self.times[-1], self.scenario.duration
+        if first != 0 or last < duration - ROUNDING * self.settings.timestep * self.settings.sample_every:
+            lasts = f"{self.scenario.name} lasts from 0 to {duration:g} s"
+            raise RunFailed(f"{self.engine}: {lasts}, and the samples are from {first:g} to {last:g} s")
+
     def position(self, body: str) -> Array:
         """Positions of one body, (n, 3), m."""
         return self.positions[:, self.scenario.index(body)]
@@ -123,6 +130,20 @@ class Trajectory:
     def angular_velocity(self, body: str) -> Array:
         """Angular velocities of one body, (n, 3), rad/s, world frame."""
         return self.angular_velocities[:, self.scenario.index(body)]
+
+
+def held(scenario: Scenario, settings: Settings, speed: float = 1.0) -> Trajectory:
+    """The run in which no body ever leaves its start: the first state at every sample, without contacts and events.
+
+    speed: as what share of the first velocities it reports those of all samples.
+    """
+    count = 1 + settings.steps_for(scenario.duration) // settings.sample_every
+    start = np.array([body.state() for body in scenario.bodies])
+    start[:, 7:] *= speed
+    states = np.broadcast_to(start, (count, *start.shape))
+    times: Array = np.arange(count, dtype=np.float64) * settings.sample_every * settings.timestep
+    position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
+    return Trajectory(scenario, settings, "held", times, position, orientation, velocity, spin)
 
 
 class Recorder:

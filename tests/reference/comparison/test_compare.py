@@ -240,6 +240,75 @@ def test_an_ensemble_is_judged_by_its_mean_and_shows_its_spread():
     assert row.verdict is Verdict.PASS
 
 
+class Late(Still):
+    """An engine whose samples are at other times than those of the scenario, which lasts 0.2 s."""
+
+    def __init__(self, *times: float) -> None:
+        super().__init__()
+        self.times = np.array(times)
+
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        whole = super().run(scenario, settings)
+        states = ("positions", "orientations", "velocities", "angular_velocities")
+        count = len(self.times)
+        return replace(whole, times=self.times, **{name: getattr(whole, name)[:count] for name in states})
+
+
+@pytest.mark.parametrize("times", [(0.0, 0.03), (0.0, 0.1), (0.0, 0.1, 0.199), (0.01, 0.1, 0.2)])
+def test_a_run_that_does_not_last_as_long_as_its_scenario_has_no_numbers(times):
+    (row,) = compare(family(lambda *_: Expectation(1.0, 1.0, "")), Late(*times))
+    assert row.verdict is Verdict.CRASHED
+    assert f"lasts from 0 to 0.2 s, and the samples are from {times[0]:g} to {times[-1]:g} s" in row.note
+    (whole,) = compare(family(lambda *_: Expectation(1.0, 1.0, "")), Late(0.0, 0.1, 0.2))
+    assert whole.verdict is Verdict.PASS
+
+
+def speed(trajectory: Trajectory) -> float:
+    return float(np.max(np.linalg.norm(trajectory.velocity("ball"), axis=-1)))
+
+
+class Falling(Still):
+    """An engine whose ball is said to be elsewhere, and at another speed, from the second sample on."""
+
+    def __init__(self, way: float, velocity: float) -> None:
+        super().__init__()
+        self.way, self.velocity = way, velocity
+
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        found = super().run(scenario, settings)
+        position, velocity, ball = found.positions.copy(), found.velocities.copy(), scenario.index("ball")
+        position[1:, ball, 2] -= self.way
+        velocity[1:, ball, 2] -= self.velocity
+        return replace(found, positions=position, velocities=velocity)
+
+
+@pytest.mark.parametrize(
+    ("measure", "theory", "engine", "is_evidence"),
+    [
+        (height, 0.7, Falling(0.3, 1.0), True),  # at rest it would be 1 m high
+        (height, 1.0, Falling(0.0, 0.0), False),
+        (height, 0.98, Falling(0.03, 0.0), False),  # near enough to the start
+        (speed, 2.0, Falling(0.0, 2.0), True),
+        (speed, 0.0, Falling(0.3, 0.0), False),
+    ],
+)
+def test_a_check_that_bodies_at_rest_in_their_starts_would_pass_is_no_evidence(measure, theory, engine, is_evidence):
+    (row,) = compare(family(lambda *_: Expectation(theory, 0.05, ""), measure), engine)
+    assert (row.verdict, row.evidence) == (Verdict.PASS, is_evidence)
+    (failed,) = compare(family(lambda *_: Expectation(theory + 1.0, 0.05, ""), measure), engine)
+    assert (failed.verdict, failed.evidence) == (Verdict.FAIL, True)  # whatever is at rest: a failure counts
+
+
+@pytest.mark.parametrize("kind", ["cost", "reported"])
+def test_what_a_run_costs_or_reports_is_not_compared_with_a_recurrence(kind):
+    found = predicted(1.5, 2.0, 2.5)
+    own = replace(found.quantities[0], **{kind: True})
+    (row,) = compare(replace(found, quantities=(replace(own, expect=None),)))
+    assert (row.verdict, row.predicted) == (Verdict.SHOWN, None)
+    (judged,) = compare(replace(found, quantities=(replace(own, expect=lambda *_: Expectation(2.0, 0.1, "")),)))
+    assert judged.verdict is Verdict.PASS
+
+
 def predicted(*heights: float, near: float = 1e-9) -> Family:
     """Balls 1, 2 and 3 m high, and a prediction that has them at these heights."""
     found = family(lambda *_: replace(BIASED, value=2.0), heights=(1.0, 2.0, 3.0))

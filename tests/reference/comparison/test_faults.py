@@ -9,6 +9,8 @@ import pytest
 
 from reference.catalogue.scenarios import find
 from reference.comparison.faults import FAULTS, run_with_fault
+from reference.comparison.sensitivity import Subject
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import EXACT, Method
 from reference.scene.forces import Attraction, Fluid, Force, OscillatingForce, Spring
@@ -59,7 +61,7 @@ def test_faults_are_named_where_a_scenario_has_the_quantity():
     named = {fault.name for fault in FAULTS if fault.named(bare, Method(EXACT))}
     of_pairs_and_time = {"restitution", "friction", "static", "gravity", "timestep"}
     of_forces = {"stiffness", "damping", "drive", "viscosity", "density", "attraction"}
-    assert {name for name in FAULT if name not in named} == of_pairs_and_time | of_forces | {"vertex"}
+    assert {name for name in FAULT if name not in named} == of_pairs_and_time | of_forces | {"vertex", "quaternion"}
 
 
 def test_faults_of_forces_change_their_own_number_alone():
@@ -106,3 +108,22 @@ def test_a_sample_early_moves_states_and_instants_to_the_time_before():
     assert np.array_equal(early.positions, true.positions[1:])
     assert np.array_equal(early.times, true.times[:-1])
     assert early.events[-1].time == pytest.approx(true.events[-1].time - 1e-3)
+
+
+@pytest.mark.parametrize(
+    ("engine", "profile"),
+    [
+        ("handwritten", "world"),
+        *(pytest.param(name, "tuned", marks=pytest.mark.slow) for name in ("pybullet", "mujoco", "dart")),
+    ],
+)
+def test_what_is_told_of_a_contact_and_of_a_turn_is_judged(engine, profile, installed):
+    """Of two unequal boxes that meet edge on edge, turned so that no normal, edge or axis of theirs is one of ours."""
+    family = find("crossed-edges")[0]
+    told = Subject.of(family, family.cases[0], installed(engine), profile)
+    red = {name: told.red(told.with_fault(FAULT[name], 0.0)) for name in ("quaternion", "bodies", "overlap")}
+    assert red == {"quaternion": ["askew", "beside"], "bodies": ["askew", "beside"], "overlap": ["beside"]}
+    assert told.names(FAULT["bodies"])
+    assert {row.verdict for row in told.rows} == {Verdict.PASS}
+    silent = replace(told, family=find("two-balls")[0])
+    assert not silent.names(FAULT["bodies"]), "no number there is read from contacts"

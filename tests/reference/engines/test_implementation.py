@@ -71,6 +71,51 @@ def test_a_file_answers_for_every_topic_it_has_functions_of(handed_in):
     assert mine.function("signed_distance")(None, None, None) == "mine"
 
 
+CALLING = '''
+"""Functions that call each other."""
+from numpy import cross
+
+def signed_distance(point, normal, offset):
+    """Its first statement is this."""
+    return TABLE["inner"](point)
+
+def _hidden(point):
+    return aside(point)
+
+def inner(point):
+    return _hidden(point)
+
+def aside(point):
+    return 2.0
+
+def bounce_velocty(velocity):
+    return velocity
+
+TABLE = {"inner": inner}
+'''
+
+
+def test_what_a_file_has_called_is_known_also_of_functions_within(handed_in):
+    first, second = Implementation(handed_in(CALLING)), Implementation(handed_in(CALLING))
+    distance = first.function("signed_distance")
+    assert first.asked == set(), "it is found, and not yet called"
+    assert distance(1, 2, 3) == 2.0
+    assert first.asked == {"signed_distance", "inner", "aside"}
+    assert second.asked == set()
+    assert first.own_functions() == {"mine.py": ("signed_distance", "inner", "aside", "bounce_velocty")}
+    assert Implementation(f"{first.source} | solutions").own_functions() == first.own_functions()
+    assert Implementation("solutions").own_functions() == {}
+
+
+def test_a_function_that_calls_another_implementation_is_not_taken_for_it(handed_in):
+    inside, outside = Implementation(handed_in(CALLING)), Implementation(handed_in(CALLING, "other.py"))
+    inside.function("signed_distance")(1, 2, 3)
+    with pytest.raises(TypeError):
+        outside.function("signed_distance")()
+    assert outside.asked == {"signed_distance"}
+    assert inside.function("signed_distance").__doc__ == "Its first statement is this."
+
+
 # What is not written yet
 
 

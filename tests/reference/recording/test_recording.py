@@ -12,11 +12,13 @@ import pytest
 from reference.catalogue.family import Family
 from reference.catalogue.grid import Parameter
 from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import Number
 from reference.comparison.results import Job, JobResult
-from reference.comparison.verdicts import Verdict
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
 from reference.recording import checksums, files, reading
+from reference.recording.entries import Entry
 from reference.recording.fingerprint import fingerprint
 from reference.recording.making import jobs_of, why_stale, write
 from reference.recording.reading import recall, replay
@@ -107,6 +109,13 @@ def test_a_recording_returns_the_same_rows_studies_and_curve(folder, results):
             result.description,
             result.version,
         )
+
+
+@pytest.mark.parametrize("values", [(2.0, 1.0, 3.0), (1.0,), (0.5, 0.5, -1.0)])
+def test_the_members_of_an_ensemble_keep_their_places(values):
+    row = Row("incline", CASE, "handwritten", "exact", "way", "m", Verdict.PASS, sum(values), values=values)
+    kept = json.loads(json.dumps(Entry.of("0", [row]).as_json()))
+    assert Entry.read(kept).numbers == (Number(values),)
 
 
 def test_a_recording_says_when_and_where_it_was_made(folder):

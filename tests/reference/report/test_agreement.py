@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import csv
+import itertools
 import json
+
+import pytest
 
 from reference.catalogue.apart import why_apart
 from reference.comparison.results import Job, JobResult
@@ -67,7 +71,15 @@ def test_counted_implementations_alone_are_summed_up():
 
 
 def test_files_hold_every_pair_and_the_counts_of_each_two():
-    assert len(pairs_csv(SECTION.pairs).splitlines()) == 1 + 6
+    table = list(csv.DictReader(pairs_csv(SECTION.pairs).splitlines()))
+    names = [f"{engine} {profile}" for engine, profile in ENGINES]
+    of_each = [
+        [f"{line[f'{which}_engine']} {line[f'{which}_profile']}" for which in ("first", "second")] for line in table
+    ]
+    assert of_each == list(map(list, itertools.combinations(names, 2)))
+    assert [float(line["difference"]) for line in table if line["difference"]] == pytest.approx(
+        [1 / 3, 0.3333, -1 / 3e4]
+    )
     content = json.loads(json.dumps(as_content(SECTION.pairs)))
     assert [(each["alike"], each["apart"]) for each in content] == [(0, 1), (0, 1), (0, 1), (1, 0), (0, 1), (0, 1)]
     assert content[0]["whys"] == [why_apart("cradle")]

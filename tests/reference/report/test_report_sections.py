@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import pytest
 from catalogue_rows import counted
@@ -344,6 +345,15 @@ def test_the_expected_value_is_that_of_a_line_or_else_of_theory():
 def test_one_sentence_summarises_the_tuned_settings(verdicts, sentence):
     stock = [row(verdict, profile="stock") for verdict in Verdict]
     assert verdict_line([*map(row, verdicts), *stock]) == sentence
+
+
+def test_what_theory_is_silent_about_and_what_bodies_at_rest_would_pass_is_counted_apart():
+    silent, idle = row(expected=None), replace(row(), evidence=False)
+    assert verdict_line([row(), row(), silent, idle, row(Verdict.NEEDS)]) == (
+        "Of 3 checks that count, 2 came out as predicted and near theory, 1 as predicted where theory is silent and"
+        " none failed. Besides, 1 check would pass even if no body moved and 1 case waits for hand-written code."
+    )
+    assert "2 checks would pass even if no body moved." in verdict_line([idle, idle])
 
 
 def test_engines_of_two_files_that_share_a_title_have_a_column_each():
