@@ -1,4 +1,4 @@
-"""Closed forms of what a test at the ends of steps misses, against chance."""
+"""Closed forms of what a test at the ends of steps misses, against counting."""
 
 from __future__ import annotations
 
@@ -7,23 +7,22 @@ import pytest
 
 from reference import sweeping_truth
 
-DRAWN = 400_000
-NEAR = 4 * 0.5 / DRAWN**0.5
-"""Four standard deviations of a share among so many, at most."""
+PLACES, TURN = 832_040, 514_229
+"""Neighbouring Fibonacci numbers: with multiples of their ratio as phases, places fill offsets and phases evenly."""
+NEAR = PLACES ** (-2 / 3)
+"""By how much the share of such places in an area with a curved border may be off."""
 
 
-def drawn(way: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Half the chord, and how far behind its start the first step ends: places drawn in a disc, and phases."""
-    chance = np.random.default_rng(9)
-    places = chance.uniform(-reach, reach, (2, 2 * DRAWN))
-    offsets = np.linalg.norm(places, axis=0)
-    offsets = offsets[offsets < reach][:DRAWN]
-    return np.sqrt(reach**2 - offsets**2), way * chance.uniform(size=DRAWN)
+def spread(way: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Half the chord, for offsets spread over a disc, and how far behind its start the first step ends."""
+    number = np.arange(PLACES)
+    squared = reach**2 * (number + 0.5) / PLACES  # as many offsets within any radius as its disc has of the area
+    return np.sqrt(reach**2 - squared), way * (number * TURN % PLACES) / PLACES
 
 
 @pytest.mark.parametrize("ratio", [0.3, 1.0, 1.7, 2.0, 3.5, 12.0])
-def test_the_share_of_missed_balls_is_that_of_balls_drawn_by_chance(ratio):
-    half, first = drawn(0.3 * ratio, 0.3)
+def test_the_share_of_missed_balls_is_that_of_balls_at_all_offsets_and_phases(ratio):
+    half, first = spread(0.3 * ratio, 0.3)
     assert sweeping_truth.missed_balls(0.3 * ratio, 0.3) == pytest.approx(np.mean(first > 2 * half), abs=NEAR)
     assert sweeping_truth.unturned_balls(0.3 * ratio, 0.3) == pytest.approx(np.mean(first > half), abs=NEAR)
 

@@ -81,6 +81,7 @@ def test_files_hold_every_pair_and_the_counts_of_each_two():
         [1 / 3, 0.3333, -1 / 3e4]
     )
     content = json.loads(json.dumps(as_content(SECTION.pairs)))
+    assert [[" ".join(each[which].values()) for which in ("first", "second")] for each in content] == of_each
     assert [(each["alike"], each["apart"]) for each in content] == [(0, 1), (0, 1), (0, 1), (1, 0), (0, 1), (0, 1)]
     assert content[0]["whys"] == [why_apart("cradle")]
 
@@ -90,3 +91,4 @@ def test_the_two_that_are_farthest_apart_are_told_in_a_sentence():
         "With each other they do not agree: 2 of 3 pairs of their numbers are apart. Most of all, handwritten (exact)"
         " and pybullet (tuned) differ by 0.33 of the first speed in “first ball” (3 touching)."
     )
+    assert by_scenario([SECTION])["cradle"].others == 3, "each with DART as installed"

@@ -165,6 +165,8 @@ def test_the_remainder_of_a_known_deviation_is_the_error_less_the_shift():
     assert Cell((row(), known)).left == "left 1 %"
     in_its_unit = row(Verdict.KNOWN_DEVIATION, 1.31, shift=0.3, scale=None)
     assert Cell((in_its_unit,)).left == "left 10 ms"
+    predicted = row(Verdict.KNOWN_DEVIATION, 1.29, off=-0.002)
+    assert row_text.left_of(predicted) == "0.2 %"
     assert row_text.left_of(row(Verdict.CRASHED, None)) == ""
 
 

@@ -47,6 +47,10 @@ def test_a_known_shift_is_not_counted_against_a_method():
     assert used(known, inside) == pytest.approx([0.1, 0.0])
 
 
+def test_the_limit_of_a_predicted_number_is_its_band():
+    assert used(row(10.2, predicted=10.199, off=-0.001, band=0.004), row(10.5)) == pytest.approx([0.5, 0.25])
+
+
 def test_a_failure_has_used_up_more_than_its_limit():
     assert used(row(13.0, Verdict.FAIL)) == pytest.approx([3.0])
 
