@@ -44,6 +44,8 @@ BULLETS_MARGIN = 1e-3
 """Bullet adds it to a hull unless it is told otherwise, m."""
 BULLETS_NEAR = 1e-3
 """As near to a hull Bullet's ray has to come, m (`radius` in `btGjkConvexCast`)."""
+BULLETS_DEPTH = 1e-12
+"""As near as Bullet's search for the depth of an overlap comes, m (`EPA_ACCURACY`)."""
 BULLETS_STEPS = 10216
 """Of the grid on which Bullet puts the vertices of a hull, along each axis."""
 DOUBLE, SINGLE = 64 * 2.0**-52, 8 * 2.0**-23
@@ -106,8 +108,9 @@ class View:
             parts = [solids.hull(part) for part in self._parts(solid, self.distances_of)]
             return min(solids.depth_or_gap(centre, part) for part in parts) - self.margin - radius
         nearest = float(np.min(solids.distances(centre, corners)))
-        inside = self.distances_of != TRIANGLES and winding_number(centre, corners) > 0.5
-        return (-nearest if inside else nearest) - radius
+        if self.distances_of == TRIANGLES:
+            return max(0.0, nearest - radius)  # a surface has no depth
+        return (-nearest if winding_number(centre, corners) > 0.5 else nearest) - radius
 
     def _parts(self, solid: Body, form: str) -> list[Array]:
         if isinstance(solid.shape, Box):  # Bullet's margin rounds a box off, and leaves its size as it is
@@ -179,7 +182,8 @@ def _rounding(scenario: Survey, method: Method) -> float:
     """Share of a solid's size that rounding may take, of the largest coordinate in the world in double precision."""
     sizes = [np.max(np.linalg.norm(_shape(body).points, axis=-1)) for body in scenario.bodies if _is_solid(body)]
     far = max(float(np.linalg.norm(body.position)) for body in scenario.bodies)
-    return float(DOUBLE * (1 + far / min(sizes))) + (SINGLE if method.rule == ANSWERS_IN_SINGLE else 0.0)
+    more = {ANSWERS_IN_SINGLE: SINGLE, ANSWERS_OF_BULLET: BULLETS_DEPTH / min(sizes)}
+    return float(DOUBLE * (1 + far / min(sizes)) + more.get(method.rule, 0.0))
 
 
 def _is_solid(body: Body) -> bool:

@@ -12,7 +12,7 @@ from reference.engines.base import BULLET, BULLET_SPRING, DART, RESPOND_THEN_STE
 from reference.impact_truth import Contact
 from reference.prediction.axes import darts_axes
 from reference.prediction.bodies import Bodies, State
-from reference.prediction.impulses import Met
+from reference.prediction.impulses import Met, noslip_gives_up
 from reference.prediction.touching import Meeting, Touch
 from reference.scene.scenario import Sphere
 from reference.scene.settings import Settings
@@ -75,6 +75,11 @@ class Both:
         if max(abs(self.k(along, aside)), abs(self.k(normal, aside))) > ASIDE * self.k(normal, normal):
             raise NoRule
         return np.asarray(along)
+
+    def noslip_gives_up(self) -> bool:
+        """Whether MuJoCo's noslip passes make no friction here."""
+        way = cross(self.touched.normal, self.along)
+        return noslip_gives_up(self.inverse_masses[0], self.k(way, way), self.meeting.pair.kinetic_friction)
 
     def aside(self, change: Array) -> float:
         """What changes of velocity and spin of all bodies, (bodies, 2, 3), make of the slip aside of t, m/s."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,8 +13,12 @@ from reference.prediction.edge_impact import meeting
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.prediction.laws import law_of
 from reference.prediction.predicted import Path, Prediction, trajectory_of
-from reference.scene.scenario import Scenario
+from reference.scene import geometry
+from reference.scene.scenario import Body, Scenario
 from reference.scene.settings import Settings
+
+LOOKS = 24
+"""So often the boxes are looked at after their impact."""
 
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
@@ -44,7 +50,24 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         velocity = np.where(count > noticed, last, first)
         position = np.array(body.position) + dt * (before * first + since * last)
         paths[body.name] = Path(position, velocity, np.where(count > noticed, spin, 0.0))
+    if _meet_again((met.body_a, met.body_b), paths, dt, noticed):
+        return None
     found = trajectory_of(scenario, settings, paths)
     if method.rule == MUJOCO_ONE_STEP:
         return Prediction(found, LEAST_FRICTION, "the recurrence, and the least friction that MuJoCo has")
     return Prediction(found)
+
+
+def _meet_again(bodies: Sequence[Body], paths: Mapping[str, Path], dt: float, noticed: int) -> bool:
+    """Whether boxes come nearer again that the impact has made spin, if they go on spinning so."""
+    steps, gaps = len(paths[bodies[0].name].position) - 1, []
+    for step in np.unique(np.linspace(noticed, steps, LOOKS).astype(int)).tolist():
+        then = []
+        for body in bodies:
+            path = paths[body.name]
+            assert path.spin is not None
+            turn = geometry.turned(np.array(body.orientation), (step - noticed) * dt * path.spin[-1])
+            place, orientation = path.position[step].tolist(), tuple(turn.tolist())
+            then.append(replace(body, position=tuple(place), orientation=orientation))
+        gaps.append(geometry.gap(*then))
+    return bool(np.any(np.diff(gaps) < 0))

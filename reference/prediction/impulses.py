@@ -26,6 +26,9 @@ from reference.scene.settings import Settings
 LEAST_FRICTION = 1e-5
 """MuJoCo takes this friction for any smaller one."""
 
+SINGULAR = 1e-10
+"""`mju_QCQP2` gives no friction where the determinant of μ² A is less; A are the tangents' inverse masses, 1/kg."""
+
 
 @dataclass(frozen=True)
 class Met:
@@ -188,6 +191,15 @@ class MuJoCos:
             most = friction * pressed
             along = min(max(-(lean + contact.k_tn * pressed) / contact.k_tt, -most), most)
         return Given(along * dt, pressed * dt)
+
+
+def noslip_gives_up(k: float, k_across: float, friction: float) -> bool:
+    """Whether MuJoCo's noslip passes make no friction: where it is weak, or the bodies are heavy.
+
+    k, k_across: what a unit impulse changes of the velocity along each of two tangents that do not touch each other,
+    1/kg.
+    """
+    return friction > 0 and k * k_across * friction**4 < SINGULAR
 
 
 def least_in_cone(

@@ -96,13 +96,13 @@ def bounces(draw) -> Scenario:
         upright = geometry.upright_on(normal)
         height = shape.half_extents[2]
         orientation = told(geometry.turned(upright, draw(between(-3, 3)) * normal))
-    gap, velocity = draw(between(0.03, 0.12)), draw(vectors(1.5)) if draw(st.booleans()) else np.zeros(3)
+    gap, velocity = draw(between(0.004, 0.03)), draw(vectors(1.5)) if draw(st.booleans()) else np.zeros(3)
     body = Body("body", shape, draw(between(0.1, 9)), told(foot + (height + gap) * normal), orientation, told(velocity))
     aside = draw(tangents(normal))
     plane = Body("plane", HalfSpace(told(normal)), position=told(foot + aside))
     gravity = draw(falls(normal)) if velocity.any() else -draw(between(3, 12)) * normal
-    pair = Pair("body", "plane", draw(between(0.62, 1)))
-    return Scenario("bounce", (plane, body), (pair,), 0.2, told(gravity))
+    pair = Pair("body", "plane", draw(between(0.7, 1)))
+    return Scenario("bounce", (plane, body), (pair,), 0.12, told(gravity))
 
 
 @st.composite
@@ -184,8 +184,8 @@ def slides(draw) -> Scenario:
         orientation = told(geometry.turned(upright, turn * normal))
     body = Body("body", shape, mass, told(foot + height * normal), orientation, told(speed * heading))
     plane = Body("plane", HalfSpace(told(normal)), position=told(foot))
-    pair = Pair("body", "plane", kinetic_friction=draw(between(0, 0.9)))
-    return Scenario("slide", (plane, body), (pair,), 0.25, told(gravity))
+    pair = Pair("body", "plane", kinetic_friction=draw(between(0.01, 0.9)))
+    return Scenario("slide", (plane, body), (pair,), 0.15, told(gravity))
 
 
 @st.composite
@@ -202,7 +202,7 @@ def drives(draw) -> Scenario:
     forces, springs, velocity = (), (), np.zeros(3)
     friction = draw(between(0.1, 0.6))
     if draw(st.booleans()):
-        rate = friction * mass * weight / draw(between(0.05, 0.3))
+        rate = friction * mass * weight / draw(between(0.05, 0.15))
         forces = (GrowingForce("body", told(rate * heading)),)
     else:
         stretch, length = draw(between(0.05, 0.2)), draw(between(0.5, 1))
@@ -213,7 +213,7 @@ def drives(draw) -> Scenario:
     plane = Body("plane", HalfSpace(told(normal)), position=told(foot))
     pair = Pair("body", "plane", kinetic_friction=friction)
     gravity = told(-weight * normal)
-    return Scenario("driven", (plane, body), (pair,), 0.4, gravity, forces=forces, springs=springs)
+    return Scenario("driven", (plane, body), (pair,), 0.2, gravity, forces=forces, springs=springs)
 
 
 @st.composite
@@ -338,7 +338,7 @@ def loaded_balls(draw) -> Scenario:
     if "fluid" in kinds:
         fluid = Fluid(draw(between(0, 900)), draw(between(0, 2)), told(draw(vectors(1))))
     gravity = told(draw(vectors(12)))
-    return Scenario("loaded", tuple(bodies), (), 0.2, gravity, tuple(forces), tuple(springs), tuple(attractions), fluid)
+    return Scenario("loaded", tuple(bodies), (), 0.1, gravity, tuple(forces), tuple(springs), tuple(attractions), fluid)
 
 
 @st.composite
@@ -353,7 +353,7 @@ def springs(draw) -> Scenario:
     stiffness = ball.mass * draw(between(30, 300))
     spring = Spring("ball", "", stiffness, rest, draw(between(0, 0.4)) * stiffness**0.5, point_b=told(held))
     gravity = told(draw(between(-3, 3)) * way)
-    return Scenario("spring", (ball,), (), 0.4, gravity, springs=(spring,))
+    return Scenario("spring", (ball,), (), 0.15, gravity, springs=(spring,))
 
 
 @st.composite
@@ -366,7 +366,7 @@ def drapes(draw) -> Scenario:
     masses = [
         Body(
             f"mass {number}", Sphere(draw(between(0.005, 0.02))), draw(between(0.02, 0.2)),
-            told(centre + (ball.shape.radius + draw(between(0.02, 0.05))) * up
+            told(centre + (ball.shape.radius + draw(between(0.02, 0.03))) * up
                  + (number - draw(between(0, 2))) * apart * along + draw(vectors(0.01)) + 0.01 * number * up),
             velocity=told(-draw(between(0, 1)) * up),
         )
@@ -380,7 +380,7 @@ def drapes(draw) -> Scenario:
     fluid = Fluid(0.0, draw(between(0, 1)), told(draw(vectors(0.5)))) if draw(st.booleans()) else ()
     forces = (Force("mass 0", told(draw(vectors(0.3)))),) if draw(st.booleans()) else ()
     gravity = told(-draw(between(2, 15)) * up + draw(vectors(1.5)))
-    return Scenario("drape", (ball, *masses), pairs, 0.25, gravity, forces, tied, fluid=fluid)
+    return Scenario("drape", (ball, *masses), pairs, 0.12, gravity, forces, tied, fluid=fluid)
 
 
 @st.composite

@@ -11,7 +11,7 @@ from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation
 from reference.checks import Quaternion, Vector
-from reference.engines.base import ANSWERS_IN_SINGLE, ANSWERS_OF_BULLET, Method
+from reference.engines.base import ANSWERS_IN_SINGLE, Method
 from reference.engines.surveying import DISTANCES_OF, HULL, RAYS_OF, TRIANGLES
 from reference.errors import RunFailed, Undecided
 from reference.scene import geometry
@@ -30,9 +30,9 @@ HAIR = 5e-4
 BY_ITSELF = "it tests each triangle by itself, and rounding may put a ray at a border beside both"
 SHARE = 1e-3
 """Accepted share of a solid's size in a length, 0.1 %."""
-ITERATED, BULLETS_ACCURACY = 1e-6, 1e-12
+ITERATED = 1e-6
 """At which length the search for nearest points ends, m: MuJoCo's (`ccd_tolerance`) and that of the Flexible Collision
-Library; and Bullet's (`EPA_ACCURACY`)."""
+Library."""
 BEHIND = 1.05
 """A ray has slipped through a border that it should meet after one size if it goes so many. What an engine does to its
 shapes, a margin and a grid, is less than that where a solid is 5 cm or larger."""
@@ -238,7 +238,7 @@ def length(of: Callable[[Case], float]) -> Expect:
 
 def left_by_iteration(settings: Settings, method: Method) -> float:
     """What the search for nearest points may leave, m."""
-    return {ANSWERS_IN_SINGLE: ITERATED, ANSWERS_OF_BULLET: BULLETS_ACCURACY}.get(method.rule, 0.0)
+    return ITERATED if method.rule == ANSWERS_IN_SINGLE else 0.0
 
 
 def left_to_rounding(settings: Settings, method: Method) -> float:
