@@ -13,6 +13,7 @@ STUB = (
     '    raise NotImplementedError("detection, step 2: side_of_plane is yours to write again")'
 )
 LAST = STUB.rpartition("\n")[0] + "\n    return 2"
+DISTANCE = "def signed_distance(point, normal, offset):\n    return (point * normal).sum(axis=-1) + offset"
 BARE = "def side_of_plane(separation, tolerance=0.0):\n    return 2"
 NOT_YET = "side_of_plane: the version in cell [{}] is in use, because the last one is not written yet."
 
@@ -37,7 +38,7 @@ def test_an_earlier_version_in_use_is_named_with_its_cell(cells, line):
 
 
 def test_a_run_says_that_it_takes_an_earlier_version(lab, cells, capsys, one_worker):
-    cells += [FIRST.replace("return 1", "return -(separation < 0)"), STUB]
+    cells += [FIRST.replace("return 1", "return -1.0 * (separation < 0)"), STUB, DISTANCE]
     lab.run("dropped-ball/e=0.5", engines=(), profile="step", timestep=0.01)
     assert NOT_YET.format(1) in capsys.readouterr().out
     assert NOT_YET.format(1) in said(capsys, lab.check, "side_of_plane")
