@@ -28,6 +28,8 @@ from reference.engines.mujoco_read_back import MOST_DAMPED
 from reference.engines.pybullet_spring import LEAST_DAMPING, MOST_DAMPING_RATIO
 from reference.scene.settings import Settings
 
+TOUCHING = 1e-10
+"""Gap up to which the surfaces of the hand-written world touch, m: `solutions.world.shapes.TOUCH`."""
 DART_RECOVERY, DART_FASTEST_RECOVERY = 0.01, 1e-3
 """Share of an overlap that DART takes back in a step, and how fast at most, m/s."""
 
@@ -121,9 +123,10 @@ class World(ByContact):
     """The hand-written world: the rate before the step is turned back, and a share of the overlap ahead moved away.
 
     `solutions.world.step`: the impulse is what the rate needs to be e times that of the approach, if that is faster
-    than `rest_speed`; or else to come no nearer in this step than the gap, 0 in overlap. It never pulls. with_weight:
-    whether the approach includes what the forces of this step add to it. `recovery` is the share of the overlap at the
-    end of the step, beyond `slop`, that the step moves away.
+    than `rest_speed`; or else to come no nearer in this step than the gap, 0 in overlap. It never pulls. A rebound
+    waits for the step whose beginning is nearest to the touch; until then there is no contact. with_weight: whether the
+    approach includes what the forces of this step add to it. `recovery` is the share of the overlap at the end of the
+    step, beyond `slop`, that the step moves away.
     """
 
     dt: float
@@ -143,9 +146,11 @@ class World(ByContact):
     def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
         """Rate after a step, and how far the step moves the surfaces apart besides, m."""
         after = rate + fall + others
-        if gap > self.reach:
+        rebound = self.rebound(rate, fall)
+        waits = rebound > 0 and gap > TOUCHING and gap + (rate + fall) * self.dt / 2 > TOUCHING
+        if gap > self.reach or waits:
             return after, 0.0
-        after = max(after, self.rebound(rate, fall) or -max(gap, 0.0) / self.dt)
+        after = max(after, rebound or -max(gap, 0.0) / self.dt)
         return after, self.recovery * max(-(gap + after * self.dt + self.slop), 0.0)
 
 

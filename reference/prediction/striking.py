@@ -19,9 +19,10 @@ from reference.engines.base import (
 )
 from reference.prediction.bodies import Bodies, State
 from reference.prediction.both import ASIDE, Both, NoRule, along_its_base, points_of
-from reference.prediction.impulses import MuJoCos, Rule, rule_of
+from reference.prediction.impulses import InTheWorld, MuJoCos, Rule, rule_of
 from reference.prediction.laws import BULLETS_PUSHED_TURN
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.reached import is_reached
 from reference.prediction.sweeps import swept
 from reference.prediction.touching import Meeting, gaps, meetings, touch
 from reference.scene import geometry
@@ -127,6 +128,7 @@ class Striking:
         self.reach = method.reach if method.rule == WORLD else 0.0
         self.to_rounding = method.rule in (MUJOCO_ONE_STEP, MUJOCO_SPRING) and not self.margin
         self.keeps_contacts = method.rule in (BULLET, BULLET_SPRING)
+        self.carried: list[Meeting] = []
         self.pushed_turn = BULLETS_PUSHED_TURN if method.rule == BULLET else 1.0
 
     def run(self, steps: int) -> State | None:
@@ -136,7 +138,9 @@ class Striking:
         try:
             while done < steps:
                 flown = self.flight(state, min(steps - done, LONGEST_FLIGHT))
-                if not len(flown.position):
+                if len(flown.position):
+                    self.carried = []
+                else:
                     flown = _one(self.step_with_contact(state))
                 if not self.bodies.spins_steadily(state):
                     return None
@@ -210,17 +214,24 @@ class Striking:
     def changes(self, state: State) -> tuple[Array, Array]:
         """What a step changes of velocity and spin of each body, (bodies, 2, 3), and beside that of its pose."""
         change = np.stack([self.bodies.weight * self.dt, np.zeros_like(self.bodies.weight)], axis=1)
+        touches = [(each, touch(self.bodies, state, each)) for each in self.meetings]
+        near = [each for each in touches if each[1].gap <= self.reach]
         contacts = []
-        for meeting, rule in zip(self.meetings, self.rules, strict=True):
-            touched = touch(self.bodies, state, meeting)
+        for (meeting, touched), rule in zip(touches, self.rules, strict=True):
             touched = replace(touched, gap=touched.gap - self.margin)
             if touched.gap <= self.reach:
+                own = meeting, touched
+                if isinstance(rule, InTheWorld) and not is_reached(
+                    self.bodies, state, own, near, rule.law, meeting in self.carried
+                ):
+                    continue
                 both = Both(self.bodies, state, meeting, touched, self.points, rule.felt)
                 if self.in_a_pyramid and meeting.pair.kinetic_friction > 0 and not along_its_base(both):
                     raise NoRule
                 if isinstance(rule, MuJoCos) and rule.noslip and both.noslip_gives_up():
                     raise NoRule
                 contacts.append((both, rule))
+        self.carried = []
         if not contacts:
             return change, np.zeros_like(change)
         if self.in_a_pyramid and len(contacts) > MOST_PIVOTED:
@@ -230,6 +241,7 @@ class Striking:
             for each in zip(*((both.rows(), both.effects()) for both, _ in contacts), strict=True)
         )
         impulses, pushes = swept(contacts, rows @ effects.T, rows @ change.ravel())
+        self.carried = [both.meeting for (both, _), pressed in zip(contacts, impulses[1::2], strict=True) if pressed]
         by_contacts = (impulses @ effects).reshape(change.shape)
         if any(_leads_aside(both, rule, by_contacts) for both, rule in contacts):
             raise NoRule

@@ -6,12 +6,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from solutions.arrays import Array, Integers
+from solutions.arrays import Array, Booleans, Integers
 from solutions.world.bodies import Bodies, State
 from solutions.world.broad_phase import pairs_in_grid
+from solutions.world.hidden_places import hidden_places, inside_hulls
 from solutions.world.hull_pairs import FEATURES
 from solutions.world.narrow_phase import PAIRS
-from solutions.world.pieces import bounding_boxes, place_pieces, placed
+from solutions.world.pieces import (
+    Pieces,
+    bounding_boxes,
+    place_pieces,
+    placed,
+)
 from solutions.world.shapes import Found
 
 
@@ -68,7 +74,8 @@ def find_contacts(
     that cannot collide are left out: pieces of one body, two immovable bodies,
     materials that do not collide. The narrow phase has one function for each
     two kinds of pieces. It takes all pairs of those kinds at once, because a
-    function of a batch costs little more than that of one pair.
+    function of a batch costs little more than that of one pair. At last those
+    are left out that no body can reach, because a neighbour is in front.
     """
     pieces = bodies.pieces
     places = place_pieces(pieces, state.position, state.orientation)
@@ -78,13 +85,53 @@ def find_contacts(
     )
     first, second = _can_collide(bodies, pairs)
     found = []
-    for kinds, chosen in _alike(pieces.kind, pieces.hull, first, second):
+    for kinds, chosen in alike(pieces, first, second):
         a, b = first[chosen], second[chosen]
         touching = PAIRS[kinds](
             placed(pieces, a, *places), placed(pieces, b, *places), margin
         )
         found.append(touching._replace(pair=chosen[touching.pair]))
-    return _contacts(bodies, first, second, found)
+    contacts = _contacts(bodies, first, second, found)
+    hidden = _hidden(bodies, contacts, places)
+    return (
+        contacts.in_order(np.flatnonzero(~hidden))
+        if np.any(hidden)
+        else contacts
+    )
+
+
+def pieces_of_contacts(
+    bodies: Bodies, contacts: Contacts
+) -> tuple[Integers, Integers]:
+    """The convex pieces of A and of B that touch at each contact, (m,) each."""
+    a, b = np.divmod(contacts.key // FEATURES, len(bodies.pieces.body))
+    return a, b
+
+
+def _hidden(
+    bodies: Bodies, contacts: Contacts, places: tuple[Array, Array]
+) -> Booleans:
+    """Which contacts no body can reach; see `hidden_places`."""
+    pieces = bodies.pieces
+
+    def inside(number: Integers, point: Array) -> Booleans:
+        found = np.zeros(len(number), dtype=bool)
+        for hull in np.unique(pieces.hull[number]):
+            some = np.flatnonzero(pieces.hull[number] == hull)
+            piece = placed(pieces, number[some], *places)
+            found[some] = inside_hulls(piece, point[some])
+        return found
+
+    return hidden_places(
+        (contacts.body_a, contacts.body_b),
+        pieces_of_contacts(bodies, contacts),
+        contacts.point,
+        contacts.normal,
+        contacts.separation,
+        bodies.inverse_mass > 0,
+        pieces.hull >= 0,
+        inside,
+    )
 
 
 def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
@@ -102,11 +149,12 @@ def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
     return np.where(turn, second, first), np.where(turn, first, second)
 
 
-def _alike(
-    kind: Integers, hull: Integers, first: Integers, second: Integers
+def alike(
+    pieces: Pieces, first: Integers, second: Integers
 ) -> list[tuple[tuple[int, int], Integers]]:
     """Kinds of A and B, with the numbers of all pairs of these kinds and hulls."""
-    most = int(np.max(hull, initial=0)) + 2
+    kind, hull = pieces.kind, pieces.hull
+    most = len(pieces.hulls) + 1
     signs = (
         ((kind[first] * most + hull[first] + 1) * 8 + kind[second]) * most
         + hull[second]

@@ -14,9 +14,8 @@ from solutions.world.rotation import turn_freely
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.shapes import TOUCH
 
-TOUCH = 1e-10
-"""A gap up to which two surfaces touch, m; far above rounding."""
 TURN = 0.25
 """The largest angle of one flight, rad; a longer turn could hide a contact."""
 FLIGHT_HALVINGS = 40

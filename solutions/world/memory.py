@@ -33,6 +33,11 @@ class Memory(NamedTuple):
     still: Array | float = 0.0
     unsettled: int = 0
 
+    @property
+    def carried(self) -> Integers:
+        """The keys of the contacts whose impulse is not 0."""
+        return np.asarray(self.key[np.any(self.impulse, axis=-1)])
+
 
 NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)), unsettled=5)
 """What the first step finds."""

@@ -58,6 +58,18 @@ class Pieces(NamedTuple):
     hull: Integers
     hulls: tuple[tuple[Array, Integers], ...]
 
+    def rows(self, chosen: Integers) -> Pieces:
+        """Some of the pieces, in the order given."""
+        return Pieces(
+            self.body[chosen],
+            self.kind[chosen],
+            self.size[chosen],
+            self.position[chosen],
+            self.rotation[chosen],
+            self.hull[chosen],
+            self.hulls,
+        )
+
 
 def pieces_of(shapes: Sequence[Shape]) -> Pieces:
     """The convex pieces of bodies with these shapes.

@@ -33,6 +33,10 @@ class Wanted(NamedTuple):
     kinetic_friction: Array
     rebounds: Booleans
 
+    def rows(self, chosen: Integers) -> Wanted:
+        """What some of the contacts have to reach, in the order given."""
+        return Wanted._make(each[chosen] for each in self)
+
 
 def in_groups(
     body_a: Integers, body_b: Integers, movable: Booleans

@@ -23,6 +23,8 @@ Shape = tuple[Any, ...]
 
 SPHERE, CAPSULE, BOX, POLYHEDRON, HALF_SPACE = range(5)
 """The kinds of convex pieces. In a pair, A has the lower kind."""
+TOUCH = 1e-10
+"""A gap up to which two surfaces touch, m; far above rounding."""
 
 
 class Placed(NamedTuple):

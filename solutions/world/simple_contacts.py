@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans, Integers
 from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
+from solutions.world.hidden_places import hidden_places, inside_hulls
 from solutions.world.hull_pairs import FEATURES, hull_half_space, hull_hull
 from solutions.world.round_pairs import (
     sphere_box,
@@ -52,6 +53,9 @@ def manifolds(
     bodies: SimpleBodies, state: SimpleState, pairs: ArrayLike, margin: float
 ) -> SimpleContacts:
     """All places at which some pairs of bodies touch, or nearly do.
+
+    Those are left out that no body can reach, because another one is in front,
+    such as the side of a box that lies level beside the next one.
 
     Parameters
     ----------
@@ -98,7 +102,19 @@ def manifolds(
     order = np.argsort(pair, kind="stable")
     a, b = first[pair[order]], second[pair[order]]
     key = (a * len(kind) + b) * FEATURES + feature[order]
-    return a, b, point[order], normal[order], separation[order], key
+    places = point[order], normal[order], separation[order]
+
+    def inside(number: Integers, at: Array) -> Booleans:
+        return inside_hulls(
+            _placed(CUBOID, number, position, rotation, size), at
+        )
+
+    hidden = hidden_places(
+        (a, b), (a, b), *places, bodies[0] > 0, kind == CUBOID, inside
+    )
+    seen = np.flatnonzero(~hidden)
+    point, normal, separation = (each[seen] for each in places)
+    return a[seen], b[seen], point, normal, separation, key[seen]
 
 
 def _placed(

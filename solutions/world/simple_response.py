@@ -143,6 +143,7 @@ def respond(
     dt : s
     rest_speed : m/s
         A contact whose points close no faster than this rests (slide 21).
+        So does one that would not have closed its gap at the end of the step.
     sweeps : how often to go through the contacts
         In `solve_by_sweeps`, and in `sequential_impulses` as well.
     start : (m, 3), impulses to begin with, N s
@@ -192,11 +193,13 @@ def respond(
             inverse_inertia[number],
         )
 
+    within_step = -np.maximum(separation, 0.0) / dt
+    fast = np.minimum(-rest_speed, within_step)
     collided = np.zeros(len(a), dtype=bool)
     for _ in range(ROUNDS):
         quiet = True
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair, 0] @ motion.ravel() < -rest_speed]
+            closing = pair[rows[pair, 0] @ motion.ravel() < fast[pair]]
             if len(closing):
                 i, j, place = (
                     a[pair[0]],
@@ -224,9 +227,7 @@ def respond(
     )
     matrix, gained = resting_problem(normals, share, load.ravel())
     parting = normals @ motion.ravel()
-    least = np.where(
-        collided, np.maximum(parting, 0.0), -np.maximum(separation, 0.0) / dt
-    )
+    least = np.where(collided, np.maximum(parting, 0.0), within_step)
     pressed = solve_by_sweeps(
         matrix, parting + dt * gained - least, sweeps, start[:, 0]
     )

@@ -75,7 +75,7 @@ def solve_simultaneously(
     for island in islands(rows, len(velocity)):
         some, targets = (
             Rows._make(each[island] for each in rows),
-            Wanted._make(each[island] for each in wanted),
+            wanted.rows(island),
         )
         impulse[island] = _impulses(
             some, apart[island], targets, len(velocity), directions

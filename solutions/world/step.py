@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, positive
 from solutions.impulse import world_inverse_inertia
+from solutions.world.answered import answered, driven_together, grouped
 from solutions.world.bodies import Bodies, State, fitting
 from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.memory import NOTHING, Memory, remembered
@@ -15,7 +16,6 @@ from solutions.world.moving import moved_on, pushed_apart
 from solutions.world.responses import RESPONSES, Question
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules, known
-from solutions.world.sequential import Wanted, in_groups
 from solutions.world.sleeping import (
     is_awake,
     is_fast,
@@ -86,40 +86,48 @@ def advance_world(
     # Contacts: each has a row for its normal and two for friction. In rows that are
     # decoupled, friction leaves the normal speed alone, and so it can leave the least
     # energy that an impact may leave.
-    contacts, groups = _grouped_contacts(bodies, state, rules)
+    contacts, groups, wanted, restitution = answered(
+        bodies, state, velocity, spin, dt, rules, memory
+    )
     least_energy = rules.law == "dissipative" and rules.response != "penalty"
-    rows = contact_rows(
-        contacts,
-        state.position,
-        bodies.inverse_mass,
-        inverse_inertia,
-        decoupled=least_energy,
-    )
-
-    # Velocities: impulses change them. Sequential impulses begin with those of the last
-    # step. Where points approach, their normal speed is negative, `approach` positive.
-    before = speeds(rows, state.velocity, state.angular_velocity)
-    approach = -(
-        speeds(rows, velocity, spin) if rules.with_weight else before
-    )[:, 0]
-    wanted, restitution = _wanted(bodies, contacts, approach, dt, rules)
-    start = remembered(memory, contacts, rows)
-    velocity, spin, impulse = RESPONSES[rules.response](
-        Question(
+    while True:
+        rows = contact_rows(
             contacts,
-            rows,
-            groups,
-            velocity,
-            spin,
-            before,
-            wanted,
-            restitution,
-            start,
-            memory.unsettled > 0,
-            dt,
-            rules,
+            state.position,
+            bodies.inverse_mass,
+            inverse_inertia,
+            decoupled=least_energy,
         )
-    )
+
+        # Velocities: impulses change them. Sequential impulses begin with those of the
+        # last step.
+        before = speeds(rows, state.velocity, state.angular_velocity)
+        start = remembered(memory, contacts, rows)
+        after_velocity, after_spin, impulse = RESPONSES[rules.response](
+            Question(
+                contacts,
+                rows,
+                groups,
+                velocity,
+                spin,
+                before,
+                wanted,
+                restitution,
+                start,
+                memory.unsettled > 0,
+                dt,
+                rules,
+            )
+        )
+        driven = driven_together(
+            contacts, rows, wanted, restitution, impulse, dt, rules
+        )
+        if not np.any(driven):
+            break
+        kept = np.flatnonzero(~driven)
+        contacts, groups, order = grouped(bodies, contacts, kept)
+        wanted, restitution = wanted.rows(order), restitution[order]
+    velocity, spin = after_velocity, after_spin
 
     # Positions: bodies move with the new velocities, and beside them out of overlaps.
     push = np.zeros((len(velocity), 6))
@@ -139,46 +147,6 @@ def advance_world(
     )
 
 
-def _grouped_contacts(
-    bodies: Bodies, state: State, rules: Rules
-) -> tuple[Contacts, list[slice]]:
-    """The contacts of a state, in the order of groups that take their turn together."""
-    contacts = find_contacts(bodies, state, rules.margin)
-    order, groups = in_groups(
-        contacts.body_a, contacts.body_b, bodies.inverse_mass > 0
-    )
-    return contacts.in_order(order), groups
-
-
-def _wanted(
-    bodies: Bodies,
-    contacts: Contacts,
-    approach: Array,
-    dt: float,
-    rules: Rules,
-) -> tuple[Wanted, Array]:
-    """What the impulses have to reach, a rebound or no more than the gap; and e."""
-    surfaces, of_a, of_b = (
-        bodies.surfaces,
-        bodies.material[contacts.body_a],
-        bodies.material[contacts.body_b],
-    )
-    restitution = surfaces.restitution[of_a, of_b]
-    rebound = np.where(
-        approach > rules.rest_speed, restitution * approach, 0.0
-    )
-    wanted = Wanted(
-        speed=np.where(
-            rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt
-        ),
-        least=np.zeros(len(rebound)),
-        static_friction=surfaces.static_friction[of_a, of_b],
-        kinetic_friction=surfaces.kinetic_friction[of_a, of_b],
-        rebounds=rebound > 0,
-    )
-    return wanted, restitution
-
-
 def _step_to_each_impact(
     bodies: Bodies,
     state: State,
@@ -191,7 +159,10 @@ def _step_to_each_impact(
     after, _ = step_in_time_order(
         bodies, state, acceleration, angular_acceleration, dt, rules
     )
-    contacts, groups = _grouped_contacts(bodies, after, rules)
+    contacts = find_contacts(bodies, after, rules.margin)
+    contacts, groups, _ = grouped(
+        bodies, contacts, np.arange(len(contacts.key))
+    )
     inverse_inertia = world_inverse_inertia(bodies.moments, after.orientation)
     rows = contact_rows(
         contacts, after.position, bodies.inverse_mass, inverse_inertia

@@ -22,10 +22,10 @@ from solutions.impulse import (
     relative_velocity,
     world_inverse_inertia,
 )
+from solutions.world.approach import closing
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.flights import (
-    TOUCH,
     backed_up,
     flown,
     held,
@@ -34,6 +34,7 @@ from solutions.world.flights import (
 )
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules
+from solutions.world.shapes import TOUCH
 
 IMPULSES: dict[str, Callable[..., Array]] = {
     "dissipative": dissipative_impulse,
@@ -126,6 +127,14 @@ def step_in_time_order(
         slow = (near.separation <= rules.margin) & (
             np.abs(apart) <= rules.rest_speed
         )
+        if np.any(slow & ~touching):  # two that pass each other do not rest
+            middle = (
+                state.velocity + left[clock, None] / 2 * acceleration,
+                state.angular_velocity
+                + left[clock, None] / 2 * angular_acceleration,
+            )
+            closes, touches = closing(bodies, state, near, *middle, left[of])
+            slow &= touches | ~closes
         resting = slow | touching & last
         striking = np.flatnonzero(
             touching & (apart < -rules.rest_speed) & ~resting & (left[of] > 0)
