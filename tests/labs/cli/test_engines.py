@@ -40,14 +40,14 @@ def test_the_list_says_how_to_get_a_missing_engine_and_why_one_is_broken(tmp_pat
 
 
 @pytest.mark.parametrize(
-    ("version", "warned"), [("3.7.0", False), ("4.0.0", False), ("4.9.9rc1", False), ("3.6.0", True), ("5.0", True)]
+    ("version", "warned"), [("3.12.0", False), ("4.0.0", False), ("4.9.9rc1", False), ("3.11.0", True), ("5.0", True)]
 )
 def test_a_version_that_was_not_tried_gets_a_warning(version, warned, monkeypatch):
     monkeypatch.setattr(engines, "engine_names", lambda: ("mujoco",))
     monkeypatch.setattr(engines, "run_isolated", lambda *_: version)
     said = collisions("engines")
     assert said.code == 0
-    line = f"MuJoCo {version} is none of the versions that the lab was tried with (mujoco>=3.7,<5): its numbers may"
+    line = f"MuJoCo {version} is none of the versions that the lab was tried with (mujoco>=3.12,<5): its numbers may"
     assert (line in said.text) == warned
 
 
