@@ -34,18 +34,26 @@ def refused_in_words(content: str, path: Path, option: str) -> Iterator[None]:
     except OSError as error:
         if not _is_about(error, path):
             raise
-        said = f"cannot write {content} to {str(path)!r}: {error.strerror or error}"
-        if error.errno in _NO_FAULT_OF_THE_PATH:
+        said = f"cannot write {content} to {str(path)!r}: {reason_of(error)}"
+        if error.errno in _NO_FAULT_OF_THE_PATH or isinstance(error, shutil.Error):
             raise CannotWrite(said) from None
         raise InvalidInput(f"{said}; choose another {option}") from None
 
 
+def reason_of(error: OSError) -> str:
+    """Why the system refuses; of a folder that could not be copied, why not the first of its files."""
+    if isinstance(error, shutil.Error) and error.args and isinstance(error.args[0], list):
+        *_, reason = error.args[0][0]
+        return str(reason)
+    return error.strerror or str(error)
+
+
 def _is_about(error: OSError, path: Path) -> bool:
     """Whether an error may be about a path: it names no file, a file there, or a folder above."""
-    if error.filename is None:
-        return True
-    named, wanted = (Path(os.path.abspath(os.fsdecode(each))) for each in (error.filename, path))
-    return named.is_relative_to(wanted if os.path.isdir(wanted) else wanted.parent) or wanted.is_relative_to(named)
+    wanted = Path(os.path.abspath(path))
+    folder = wanted if os.path.isdir(wanted) else wanted.parent
+    files = [Path(os.path.abspath(os.fsdecode(name))) for name in (error.filename, error.filename2) if name is not None]
+    return not files or any(file.is_relative_to(folder) or wanted.is_relative_to(file) for file in files)
 
 
 def write_whole(path: Path, content: bytes) -> None:

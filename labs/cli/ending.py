@@ -17,6 +17,7 @@ from rich.markup import escape
 from labs.cli.console import errors
 from reference.errors import CannotWrite, CollisionsError, one_line
 from reference.running.isolate import stop_workers
+from reference.writable import reason_of
 
 FINE, NOT_RIGHT, COULD_NOT_COMPARE, INTERRUPTED = 0, 1, CollisionsError.exit_code, 130
 _END = ("SIGTERM", "SIGHUP")
@@ -78,7 +79,7 @@ def let_signals_interrupt() -> None:
 
 def _of_the_system(error: OSError) -> str:
     where = f" {str(error.filename)!r}" if error.filename else ""
-    return f"the system refuses a file{where}: {error.strerror or error}"
+    return f"the system refuses a file{where}: {reason_of(error)}"
 
 
 def _end(error: BaseException, code: int, line: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 from pathlib import Path
 
 import pytest
@@ -54,6 +55,19 @@ def test_a_full_disk_is_not_the_fault_of_the_path(code, tmp_path):
     words = rf"cannot write notes to '{tmp_path}/a': {os.strerror(code)}$"
     with pytest.raises(CannotWrite, match=words), refused_in_words("notes", tmp_path / "a", "--out"):
         raise OSError(code, os.strerror(code))
+
+
+def test_a_folder_that_cannot_be_copied_is_one_reason_and_not_one_for_each_file(tmp_path):
+    (tmp_path / "in").mkdir()
+    for name in "ab":
+        (tmp_path / "in" / name).touch()
+
+    def full(source: str, target: str) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), source, None, target)
+
+    with pytest.raises(CannotWrite) as caught, refused_in_words("notes", tmp_path / "out", "--out"):
+        shutil.copytree(tmp_path / "in", tmp_path / "out", copy_function=full)
+    assert str(caught.value).count("No space left on device") == 1
 
 
 def test_an_error_about_another_file_is_not_said_of_the_path(tmp_path):

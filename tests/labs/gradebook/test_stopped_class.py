@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import subprocess
@@ -123,20 +124,27 @@ def test_an_interrupt_stops_a_class_at_once_and_keeps_what_is_finished(tmp_path)
     assert not (tmp_path / "working").exists()
 
 
-def test_after_an_interrupt_the_command_says_how_to_continue(tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    ("error", "code", "line"),
+    [
+        (KeyboardInterrupt(), 130, "Interrupted."),
+        (OSError(errno.ENOSPC, "No space left on device"), 3, "Error: cannot write the grades to "),
+    ],
+    ids=["interrupt", "full disk"],
+)
+def test_a_class_that_is_broken_off_says_how_to_continue(error, code, line, tmp_path, monkeypatch):
     (tmp_path / "submissions" / "ada").mkdir(parents=True)
     (tmp_path / "submissions" / "ada" / "impulse.py").write_text("x = 1\n")
 
     def interrupted(every, graders, keep, failures, stopping):
         stopping()
-        raise KeyboardInterrupt
+        raise error
 
     monkeypatch.setattr(command, "run", interrupted)
     done = collisions("grade", str(tmp_path / "submissions"), "--lab", "impulse", "--out", str(tmp_path / "grades"))
-    assert done.code == 130
+    assert (done.code, line in done.error) == (code, True)
     assert "Stopping; what is being written is finished …" in done.error
-    assert "Stopped. 0 of 1 submissions have a grade, and all of these are kept." in done.text
-    assert "Run the same command again" in done.text
+    assert "0 of 1 submissions have a grade, and all of these are kept. Run the same command again" in done.error
 
 
 BEFORE = {"collisions-lab": "1", "python": "3.11", "numpy": "2.4", "tests": "a" * 64, "known mistakes": "b" * 64}

@@ -98,7 +98,10 @@ def test_a_report_of_crashes_alone_is_written(with_odd_ones, tmp_path):
     write(found, tmp_path)
     assert len(read_rows(tmp_path / "rows.json")) == len(found)
     assert os.listdir(tmp_path / "figures") == []
-    assert "Of 5 checks" in (tmp_path / "index.html").read_text(encoding="utf-8")
+    page = (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert "Of 4 checks" in page
+    assert "Besides, 1 run was lost and not judged." in page
+    assert "lost: ball-to-rest, hanging, tuned: it took longer than 1 s and was stopped" in page
 
 
 def test_nan_is_never_written_into_the_rows():
