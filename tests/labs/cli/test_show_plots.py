@@ -167,6 +167,6 @@ def test_a_full_disk_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path, with
 
     monkeypatch.setattr(os, "replace", full)
     said = collisions("show", "bounce", "--plot", file)
-    assert said.code == 2
+    assert said.code == 3
     assert "No space left on device" in said.error
     assert (file.read_text(encoding="utf-8"), list(tmp_path.iterdir())) == ("old", [file])

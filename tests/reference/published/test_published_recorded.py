@@ -9,7 +9,8 @@ from dataclasses import replace
 import pytest
 
 from reference.comparison.verdicts import Verdict
-from reference.errors import EngineNotInstalled, InvalidInput, UnknownName
+from reference.engines.handwritten_engine import Handwritten
+from reference.errors import EngineNotInstalled, InvalidInput, RunFailed, UnknownName
 from reference.published import recorded
 from reference.published.jobs import PUBLISHED, plan, run_job
 from reference.published.recorded import FILE, fingerprint, recall, write
@@ -109,7 +110,7 @@ def test_an_engine_is_stale_while_a_case_is_missing_or_has_changed(folder, monke
         changed.setattr(recorded, "published", lambda name: other if name == "P22" else published(name))
         assert recorded.is_stale("handwritten", folder)
     with monkeypatch.context() as changed:
-        changed.setattr(recorded, "version_here", lambda engine: "99.0")
+        changed.setattr(Handwritten, "version", lambda engine: "99.0")
         assert recorded.is_stale("handwritten", folder)
     edited(folder, lambda content: content.update(version=99))
     assert recorded.is_stale("handwritten", folder)
@@ -134,7 +135,7 @@ def test_only_published_cases_that_ran_here_are_recorded(folder, results, tmp_pa
     with pytest.raises(InvalidInput, match="did not run"):
         write([recall(JOBS[0], folder)], tmp_path)
     crashed = replace(results[0].rows[0], figure="", verdict=Verdict.CRASHED, note="it died")
-    with pytest.raises(InvalidInput, match=r"P5 in handwritten: crashed: it died; nothing is recorded"):
+    with pytest.raises(RunFailed, match=r"P5 in handwritten: crashed: it died; nothing is recorded"):
         write([replace(results[0], rows=(crashed,))], tmp_path)
 
 
