@@ -47,12 +47,12 @@ class Quantity:
 
     measure: trajectory → number. expect: case, settings and the engine's method → expectation; None where theory has
     no figure, in this case or in any; then the number is only shown. scale: what a deviation is judged against when it
-    is printed in percent, None to print it as it is. slack: how much of it a method's solver leaves to chance, in its
-    unit, where that is more than the band of a prediction; None where nothing is. absent: what a run does that has no
-    such number. share_of: what a number without a unit is a share of, where its title does not say so. asked: the same
-    number by the implementation's own answers to questions of geometry, where it is to be that; a prediction, which
-    answers none, is measured. cost: it says what a run takes, a number that implementations need not agree on.
-    reported: it is read from what an implementation says of its contacts. No recurrence predicts a cost or a report.
+    is printed in percent, None to print it as it is. slack: how much of it a method leaves to chance, in its unit,
+    besides the band of the prediction; None where nothing is. absent: what a run does that has no such number.
+    share_of: what a number without a unit is a share of, where its title does not say so. asked: the same number by the
+    implementation's own answers to questions of geometry, where it is to be that; a prediction, which answers none, is
+    measured. cost: it says what a run takes, a number that implementations need not agree on. reported: it is read from
+    what an implementation says of its contacts. No recurrence predicts a cost or a report.
     """
 
     name: str

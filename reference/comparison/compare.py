@@ -195,7 +195,7 @@ class _Against:
         if number.undecided:
             return None
         bands = (each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
-        return cls(number, tuple(max(band, slack) for band in bands))
+        return cls(number, tuple(band + slack for band in bands))
 
     def differences(self, number: Number) -> Array:
         """Measured less predicted, for each scenario."""

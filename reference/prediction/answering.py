@@ -32,6 +32,7 @@ from reference.engines.surveying import (
     TRIANGLES,
 )
 from reference.prediction import solids
+from reference.prediction.bands import BULLETS_ACCURACY, IN_SINGLE, ULP, Term
 from reference.prediction.predicted import TITLE, Prediction
 from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Distance, Inside, Query, Ray, Segment
@@ -44,11 +45,9 @@ BULLETS_MARGIN = 1e-3
 """Bullet adds it to a hull unless it is told otherwise, m."""
 BULLETS_NEAR = 1e-3
 """As near to a hull Bullet's ray has to come, m (`radius` in `btGjkConvexCast`)."""
-BULLETS_DEPTH = 1e-12
-"""As near as Bullet's search for the depth of an overlap comes, m (`EPA_ACCURACY`)."""
 BULLETS_STEPS = 10216
 """Of the grid on which Bullet puts the vertices of a hull, along each axis."""
-DOUBLE, SINGLE = 64 * 2.0**-52, 8 * 2.0**-23
+DOUBLE, SINGLE = 64 * ULP, 16 * IN_SINGLE
 """Some roundings of a coordinate, as a share of it: a place is a vertex, turned and moved, less another one, and a ray
 that meets a face at 60° from its normal doubles the error."""
 
@@ -168,7 +167,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         for time in times.tolist()
     ]
     trajectory = surveying.trajectory_of(TITLE, scenario, settings, answers, watched)
-    return Prediction(trajectory, _rounding(scenario, method), "vertices, turned and moved, to rounding")
+    return Prediction(trajectory, (Term("rounding of vertices", _rounding(scenario, method)),))
 
 
 def on_a_grid(points: Array) -> Array:
@@ -182,7 +181,7 @@ def _rounding(scenario: Survey, method: Method) -> float:
     """Share of a solid's size that rounding may take, of the largest coordinate in the world in double precision."""
     sizes = [np.max(np.linalg.norm(_shape(body).points, axis=-1)) for body in scenario.bodies if _is_solid(body)]
     far = max(float(np.linalg.norm(body.position)) for body in scenario.bodies)
-    more = {ANSWERS_IN_SINGLE: SINGLE, ANSWERS_OF_BULLET: BULLETS_DEPTH / min(sizes)}
+    more = {ANSWERS_IN_SINGLE: SINGLE, ANSWERS_OF_BULLET: BULLETS_ACCURACY / min(sizes)}
     return float(DOUBLE * (1 + far / min(sizes)) + more.get(method.rule, 0.0))
 
 

@@ -7,9 +7,11 @@ import math
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET, BULLET_SPRING, CHORD, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, Method
+from reference.engines.base import BULLET, BULLET_SPRING, CHORD, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, WORLD, Method
+from reference.prediction import bands
+from reference.prediction.bands import Term
 from reference.prediction.laws import Law, law_of
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, Scenario
 from reference.scene.settings import Settings
@@ -21,10 +23,9 @@ BULLETS_REACH = 0.02
 """Bullet drops a contact that parts, or that a step moves, by more than this share of the radius around a body."""
 CORNERS = 4
 """Corners of a box that lies on a face: so many contacts share what it carries."""
-ASLEEP = 1e-6
-"""Overlap that DART leaves a body that falls asleep, m: 4·10⁻⁷ was measured."""
-SWEPT = 1e-4
-"""What DART's sweeps leave of an impact on four corners, where three would do: 7·10⁻⁵ at most, in rad, m and shares."""
+ASLEEP_AFTER, ASLEEP_BELOW = 0.5, 0.01
+"""DART lets a body sleep that was slower than so many m/s for so long, s (`DeactivationOptions`), or some steps later.
+It then stays where it is, with what is left of its overlap."""
 
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
@@ -52,14 +53,35 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             return None
         gaps, rates, rest = by_steps(gap, rate, fall, law, steps, kept)
     position = np.array(body.position) + (gaps - gap)[:, None] * normal + along
-    path = Path(position, rates[:, None] * normal + along_velocity)
-    near, why = ROUNDING, "the recurrence of the method, to rounding"
-    if isinstance(body.shape, Box) and settings.options.get("solver") == "nsgs":
-        near, why = SWEPT, "the recurrence, and what DART's sweeps over four corners leave"
+    velocity = rates[:, None] * normal + along_velocity
+    terms = _terms(scenario, body, settings, method)
     if method.rule == DART and settings.options.get("sleep") is not False:
-        near, why = ASLEEP, "the recurrence, and a body that sleeps in what is left of its overlap"
+        asleep = _falls_asleep(velocity, settings.timestep)
+        if asleep < steps:
+            position[asleep:], velocity[asleep:] = position[asleep], 0.0
+            terms.append(bands.asleep(-float(gaps[asleep])))
+    path = Path(position, velocity)
     events = (Event(rest, "rest", body.name),) if rest < math.inf and settings.options.get("policy") else ()
-    return Prediction(trajectory_of(scenario, settings, {body.name: path}, events), near, why)
+    return Prediction(trajectory_of(scenario, settings, {body.name: path}, events), tuple(terms))
+
+
+def _terms(scenario: Scenario, body: Body, settings: Settings, method: Method) -> list[Term]:
+    """What keeps an implementation from the recurrence, besides the rounding of its steps."""
+    found = [bands.contact(settings.timestep)]
+    if isinstance(body.shape, Box):
+        if settings.options.get("solver") == "nsgs":
+            found.append(bands.DARTS_FOUR_CORNERS)
+        if method.rule == WORLD:
+            found.append(bands.sweeps(settings.number("tolerance"), scenario))
+    return found
+
+
+def _falls_asleep(velocity: Array, dt: float) -> int:
+    """After which step DART lets the body sleep, or the last one. velocity: after each step, (steps + 1, 3), m/s."""
+    is_fast = np.linalg.norm(velocity, axis=-1) >= ASLEEP_BELOW
+    last_fast = np.maximum.accumulate(np.where(is_fast, np.arange(len(velocity)), -1))
+    for_long = np.arange(len(velocity)) - last_fast > ASLEEP_AFTER / dt
+    return int(np.argmax(for_long)) if for_long.any() else len(velocity) - 1
 
 
 def _falls_straight(scenario: Scenario, body: Body, normal: Array, method: Method, way: float) -> bool:

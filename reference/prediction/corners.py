@@ -15,6 +15,7 @@ from reference.arrays import Array
 from reference.engines.base import BULLET, DART, RESPOND_THEN_STEP, WORLD, Method
 from reference.engines.dart_settings import SOFTNESS
 from reference.impact_truth import NEWTON, POISSON, STRONGE
+from reference.prediction import bands
 from reference.prediction.axes import bullets_axes, darts_axes
 from reference.prediction.bodies import Bodies, State
 from reference.prediction.both import NoRule
@@ -27,10 +28,6 @@ from reference.spatial_impact import SpatialContact, root_angle, spatial_impact
 
 ALIKE = 1e-9
 """Two corners strike together if their gaps (m) and their velocities (m/s) differ by no more than this."""
-FOLLOWED, FOLLOWED_WHY = 2e-8, "the recurrence, and the digits that are sure of the law's own integral"
-"""Of the laws of Poisson and Stronge, which follow the impact."""
-SWEPT, SWEPT_WHY = 2e-5, "the recurrence, and what DART's sweeps over two corners leave"
-"""8·10⁻⁶ of the change of spin was measured where the corners grip, and still 7·10⁻⁶ after 5 000 sweeps."""
 
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
@@ -53,11 +50,14 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     )
     path = Path(position, velocity, spin, orientation)
     trajectory = trajectory_of(scenario, settings, {scenario.bodies[striking.place].name: path})
+    terms = [bands.contact(settings.timestep)]
     if method.law in (POISSON, STRONGE):
-        return Prediction(trajectory, FOLLOWED, FOLLOWED_WHY)
+        terms.append(bands.FOLLOWED_IMPACT)
     if method.rule == DART and striking.along_an_edge:
-        return Prediction(trajectory, SWEPT, SWEPT_WHY)
-    return Prediction(trajectory)
+        terms.append(bands.DARTS_TWO_CORNERS)
+    if method.rule == WORLD and striking.along_an_edge:
+        terms.append(bands.sweeps(settings.number("tolerance"), scenario))
+    return Prediction(trajectory, tuple(terms))
 
 
 def _has_a_cone(settings: Settings, method: Method, pair: Pair) -> bool:

@@ -13,9 +13,10 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.base import STEP_THEN_PUT_OUT, Method
+from reference.prediction import bands
 from reference.prediction.forces import Forces
 from reference.prediction.laws import ByContact, MuJoCoOneStep, law_of
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene.draping import ball_under, reach
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
@@ -61,7 +62,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         speeds.append(velocity)
     found = np.array(ways), np.array(speeds)
     paths = {body.name: Path(*(each[:, place] for each in found)) for place, body in zip(places, bodies, strict=True)}
-    return Prediction(trajectory_of(scenario, settings, paths), ROUNDING)
+    return Prediction(trajectory_of(scenario, settings, paths), (bands.contact(dt),))
 
 
 def _contact_of(settings: Settings, method: Method) -> tuple[Contact | None, float]:

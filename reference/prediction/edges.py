@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from reference.engines.base import COMPLIANT, MUJOCO_ONE_STEP, Method
+from reference.prediction import bands
 from reference.prediction.edge_impact import meeting
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.prediction.laws import law_of
@@ -54,8 +55,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return None
     found = trajectory_of(scenario, settings, paths)
     if method.rule == MUJOCO_ONE_STEP:
-        return Prediction(found, LEAST_FRICTION, "the recurrence, and the least friction that MuJoCo has")
-    return Prediction(found)
+        friction = bands.Term("the least friction that MuJoCo has", LEAST_FRICTION)
+        return Prediction(found, (bands.contact(dt), friction))
+    return Prediction(found, (bands.contact(dt),))
 
 
 def _meet_again(bodies: Sequence[Body], paths: Mapping[str, Path], dt: float, noticed: int) -> bool:

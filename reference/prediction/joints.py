@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from reference.engines.base import DART_JOINT, MUJOCO_JOINT, Method
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.straight_spring import on_one_spring
@@ -39,4 +39,4 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         found.append((length, rate))
     lengths, rates = np.array(found).T[..., None]
     path = Path(held + lengths * way, rates * way)
-    return Prediction(trajectory_of(scenario, settings, {body.name: path}), ROUNDING)
+    return Prediction(trajectory_of(scenario, settings, {body.name: path}))

@@ -9,7 +9,7 @@ from reference.engines.base import BULLET_DAMPED, DART, Method
 from reference.prediction import integrators, joints
 from reference.prediction.bodies import darts_turn
 from reference.prediction.forces import Forces
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.scenario import Scenario, Sphere
 from reference.scene.settings import Settings
@@ -71,7 +71,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         body.name: Path(ways[:, place, :3], ways[:, place, 7:10], ways[:, place, 10:], ways[:, place, 3:7])
         for place, body in zip(movable, bodies, strict=True)
     }
-    return Prediction(trajectory_of(scenario, settings, paths), ROUNDING)
+    return Prediction(trajectory_of(scenario, settings, paths))
 
 
 def _lost(damping: float, velocity: Array) -> Array:

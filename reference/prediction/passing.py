@@ -9,9 +9,9 @@ import numpy as np
 from reference.engines.base import BULLET, TURN_BACK, Method
 from reference.engines.mujoco_read_back import margin_of
 from reference.engines.pybullet_settings import SWEEP_TOLERANCE
-from reference.prediction import striking
+from reference.prediction import bands, striking
 from reference.prediction.laws import Bullet
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.scenario import Scenario, Sphere
 from reference.scene.settings import Settings
@@ -44,8 +44,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     restitution = scenario.pairs[0].restitution
     position = start + (forward - restitution * back)[:, None] * settings.timestep * velocity
     changed = np.where(steps > turned, -restitution, 1.0)[:, None] * velocity
-    why = "the recurrence of the method, to rounding"
-    return Prediction(trajectory_of(scenario, settings, {ball.name: Path(position, changed)}), ROUNDING, why)
+    path = Path(position, changed)
+    return Prediction(trajectory_of(scenario, settings, {ball.name: path}), (bands.contact(settings.timestep),))
 
 
 def _with_its_margin(scenario: Scenario, settings: Settings) -> Settings:
@@ -90,4 +90,4 @@ def _swept_by_bullet(scenario: Scenario, settings: Settings, method: Method) -> 
         rates.append(rate)
     position = start + (first - np.array(places))[:, None] * ahead
     path = Path(position, -np.array(rates)[:, None] * ahead)
-    return Prediction(trajectory_of(scenario, settings, {ball.name: path}))
+    return Prediction(trajectory_of(scenario, settings, {ball.name: path}), (bands.contact(dt),))

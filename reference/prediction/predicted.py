@@ -8,25 +8,27 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference.arrays import Array
+from reference.prediction import bands
+from reference.prediction.bands import Term
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
-ROUNDING = 1e-9
-"""How near rounding leaves a run of some 10⁵ steps to its recurrence, as a share; measured, it is 10⁻¹¹ at most."""
 TITLE = "prediction"
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """trajectory: what the recurrence gives. near: how near each number must be, as a share of it or of its size.
-
-    reason: what the share allows for.
-    """
+    """trajectory: what the recurrence gives. terms: of the band, besides the rounding of the steps."""
 
     trajectory: Trajectory
-    near: float = ROUNDING
-    reason: str = "the recurrence of the method, to rounding"
+    terms: tuple[Term, ...] = ()
+
+    @property
+    def near(self) -> float:
+        """How near each number must be, as a share of it or of its size."""
+        settings, duration = self.trajectory.settings, self.trajectory.scenario.duration
+        return sum((term.share for term in self.terms), bands.steps(settings.steps_for(duration)).share)
 
     def band(self, predicted: float, size: float = 1.0) -> float:
         """Accepted distance from a predicted number, in its unit. size: how large such a number is, if not one unit."""

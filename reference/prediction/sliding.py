@@ -20,24 +20,23 @@ from reference.engines.base import (
     Method,
 )
 from reference.engines.dart_settings import SOFTNESS
-from reference.prediction import friction
+from reference.prediction import bands, friction
 from reference.prediction.axes import bullets_axes
+from reference.prediction.both import FLAT, MIDWAY, points_of
 from reference.prediction.bouncing import BULLETS_REACH, CORNERS, by_steps
 from reference.prediction.drives import Drive, drive_of
 from reference.prediction.forces import pushed
 from reference.prediction.impulses import LEAST_FRICTION, noslip_gives_up
 from reference.prediction.laws import law_of
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 
 STRAIGHT = 1e-9
 """Sine of the angle between two directions that count as one."""
-ROCKING, ROCKING_NEAR_CRITICAL, NEAR_CRITICAL = 1.0, 3.0, 0.05
-"""How far MuJoCo's friction makes a sliding box rock, in m for each second of the timestep: times its height over its
-width, and more where its weight pulls it nearly as much as friction holds. 0.39 was measured for a cube, 0.015 for a
-slab a tenth as high as wide, and 1.5 for that slab 1 % above the critical slope."""
+NEAR_CRITICAL = 0.05
+"""Share of its weight along the plane by which friction is weaker or stronger, up to which a box is near critical."""
 WEAK_IN_DART = 0.01
 """A coefficient of friction that is less, but not zero."""
 WEAK_FRICTION = 1e-6
@@ -70,6 +69,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if method.rule == BULLET and not holds and not all(_on_bullets_axes(body, normal, axis) for axis in axes):
         return None
     courses: list[tuple[Array, Array]]  # speed of the body and slip, along each axis
+    arms = np.ones(steps + 1)  # of friction on a ball, m
     if method.rule == RESPOND_THEN_STEP:
         limits_by_hand = -static * fall, -kinetic * fall
         speeds = (
@@ -85,7 +85,13 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         gaps, rates, _ = by_steps(_overlap(settings, method), 0.0, fall, law, steps)
         limits = kinetic * np.maximum(np.diff(rates) - fall, 0.0)  # the normal impulse is all of the rate but the fall
         more = static / kinetic if method.rule == WORLD and kinetic > 0 else 1.0  # the engines have one coefficient
-        turning = _turning(body, normal, ahead, method, holds)
+        if isinstance(body.shape, Sphere):
+            # DART's ground is a margin higher; MuJoCo's contact begins a margin ahead.
+            ahead_by = (
+                settings.number("margin") if method.rule == MUJOCO_ONE_STEP and "margin" in settings.options else 0.0
+            )
+            arms = body.shape.radius + _share_of_overlap(settings, method) * (gaps + ahead_by)
+        turning = _turning(body, normal, ahead, method, holds, float(arms[-1]))
         courses = [
             friction.step_by_step(drive.pull, limits, dt, speed, *turning, static=more)
             if drive
@@ -98,17 +104,28 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         position = position + dt * np.concatenate([[0.0], np.cumsum(speeds[1:])])[:, None] * axis
         velocity = velocity + speeds[:, None] * axis
         if isinstance(body.shape, Sphere):
-            spin += (speeds - slips)[:, None] / body.shape.radius * np.cross(normal, axis)
+            spin += ((speeds - slips) / arms)[:, None] * np.cross(normal, axis)
     trajectory = trajectory_of(scenario, settings, {body.name: Path(position, velocity, spin)})
-    # A push that changes passes the limit of friction, and is near it for a while.
-    critical = drive is not None or (speed == 0 and abs(pull + kinetic * fall) < NEAR_CRITICAL * abs(pull))
-    rocking = ROCKING_NEAR_CRITICAL if critical else ROCKING * _height_over_width(body, normal, ahead)
-    near, why = _nearness(body, settings, method, float(np.max(np.linalg.norm(velocity, axis=1))), fall, holds, rocking)
-    if method.rule == MUJOCO_ONE_STEP and isinstance(body.shape, Box) and (turned := _turned_back(courses)):
-        near, why = near + turned * turning[1], f"{why}; where it turns back, friction finds another slip"
+    fastest = float(np.max(np.linalg.norm(velocity, axis=1)))
+    terms = _terms(scenario, body, settings, method, fastest=fastest, deepest=-float(np.min(gaps)), fall=fall)
+    if method.rule in (MUJOCO_ONE_STEP, BULLET) and isinstance(body.shape, Box):
+        height, friction_in_a_step = _height_over_width(body, normal, ahead), kinetic * abs(fall)
+        near_critical = abs(pull - friction_in_a_step) < NEAR_CRITICAL * abs(pull)
+        if method.rule == MUJOCO_ONE_STEP and (turned := _turned_back(courses)):
+            terms.append(bands.Term("friction that finds another slip where a box turns back", turned * turning[1]))
+        if method.rule == BULLET:
+            terms += [bands.bullets_corners(height)] * (drive is not None or near_critical)
+        elif drive:
+            terms.append(bands.rocking_driven(dt))
+        elif holds:
+            terms.append(bands.creeping(height, abs(pull), scenario.duration))
+        else:
+            terms.append(
+                bands.rocking(height, friction_in_a_step, fall, scenario.duration, near_critical and speed == 0)
+            )
     if drive and method.rule != RESPOND_THEN_STEP:
-        near, why = near + _late(drive, pair, fall), f"{why}; in the step of a break-away friction is not settled"
-    return Prediction(trajectory, near, why)
+        terms.append(bands.late(_late(drive, pair, fall)))
+    return Prediction(trajectory, tuple(terms))
 
 
 def _turned_back(courses: list[tuple[Array, Array]]) -> float:
@@ -231,10 +248,15 @@ def _overlap(settings: Settings, method: Method) -> float:
     return 0.0 if method.rule == BULLET else -margin
 
 
-def _turning(body: Body, normal: Array, ahead: Array, method: Method, holds: bool) -> tuple[float, float]:
+def _share_of_overlap(settings: Settings, method: Method) -> float:
+    """How far into a ball, as a share of the overlap, its friction acts."""
+    return {FLAT: 1.0, MIDWAY: 0.5}.get(points_of(settings, method), 0.0)
+
+
+def _turning(body: Body, normal: Array, ahead: Array, method: Method, holds: bool, arm: float) -> tuple[float, float]:
     """Ease and softness of a body's friction, as `friction.by_limits` has them.
 
-    An impulse at the surface of a ball changes the slip 1 + m r²/I times as much as the speed.
+    An impulse on a ball changes the slip 1 + m r²/I times as much as the speed; r is its arm.
 
     MuJoCo's noslip passes end the slip of a box's lower face with the normal forces as they were without friction, so
     that friction turns the box about its centre: an impulse changes the slip by 1 + m h²/I times as much as the speed.
@@ -243,40 +265,34 @@ def _turning(body: Body, normal: Array, ahead: Array, method: Method, holds: boo
     """
     softness = SOFTNESS if method.rule == DART else 0.0
     if isinstance(body.shape, Sphere):
-        return 1 + body.mass * body.shape.radius**2 / body.moments_of_inertia()[0], softness
+        return 1 + body.mass * arm**2 / body.moments_of_inertia()[0], softness
     if method.rule == MUJOCO_ONE_STEP and not holds:
         across = _in_own_axes(body, np.cross(normal, ahead))
         softness = body.mass * _height(body, normal) ** 2 / float(across**2 @ np.array(body.moments_of_inertia()))
     return 1.0, softness
 
 
-def _nearness(
-    body: Body, settings: Settings, method: Method, fastest: float, fall: float, holds: bool, rocking: float
-) -> tuple[float, str]:
-    """How near the engine comes to the recurrence, with the reason. Figures are for lengths in m and times in s.
+def _terms(
+    scenario: Scenario, body: Body, settings: Settings, method: Method, *, fastest: float, deepest: float, fall: float
+) -> list[bands.Term]:
+    """What keeps an engine from the recurrence, besides the rounding of its steps; lengths in m and times in s.
 
-    rocking: of a box that slides in MuJoCo, m for each second of the timestep.
+    fastest: speed along the plane, m/s. deepest: overlap, m.
     """
-    dt, near, why = settings.timestep, ROUNDING, "the recurrence of the method, to rounding"
+    found, options, a_box = [bands.contact(settings.timestep)], settings.options, isinstance(body.shape, Box)
     if method.rule in (MUJOCO_ONE_STEP, DART):
         if isinstance(body.shape, Sphere):
-            near, why = (
-                max(1e-7, dt**2),
-                "the recurrence; friction acts at the depth of the overlap",
-            )  # 0.4 dt² measured
-        elif method.rule == DART:
-            near, why = 1e-6, "the recurrence, and what DART's sweeps over four corners leave"  # 1.1·10⁻⁷ measured
-        elif holds:
-            near, why = 10 * dt, "rest, except that in MuJoCo a box rocks and creeps"  # 4 dt measured
-        else:
-            near, why = rocking * dt, "the recurrence, and a box that rocks in MuJoCo"
-        if "margin" not in settings.options:
-            near += 2 * abs(fall) * dt  # rounding decides whether the first step has a contact
-    elif method.rule == BULLET and isinstance(body.shape, Box):
-        near, why = 1e-8, "the recurrence, and what Bullet's sweeps over four corners leave"  # 2.8·10⁻⁹ measured
-        if fastest * dt > _bullets_reach(body.shape):
-            near, why = 5 * abs(fall) * dt, "the recurrence; at this speed Bullet loses corners for a step"  # 0.05
-    return near, why
+            found.append(bands.sinking(deepest / body.shape.radius, settings.steps_for(scenario.duration)))
+        if "margin" not in options:
+            found.append(bands.first_step(fall, settings.timestep))
+        if "solver_tolerance" in options:
+            found.append(bands.sweeps(settings.number("solver_tolerance"), scenario))
+    if method.rule == WORLD and a_box:
+        found.append(bands.first_sweeps(settings.number("tolerance"), fall))
+    if method.rule == BULLET and isinstance(body.shape, Box):
+        lost = fastest * settings.timestep > _bullets_reach(body.shape)
+        found += [bands.lost_corners(fall, settings.timestep)] * lost
+    return found
 
 
 def _bullets_reach(box: Box) -> float:

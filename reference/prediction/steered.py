@@ -7,6 +7,7 @@ import numpy as np
 from reference.engines.base import BULLET_DAMPED, Method
 from reference.engines.steering import steers_of
 from reference.errors import CollisionsError, as_failed_run
+from reference.prediction import bands
 from reference.prediction.forces import Forces
 from reference.prediction.loaded import BULLETS_DAMPING
 from reference.prediction.predicted import Path, Prediction, trajectory_of
@@ -17,9 +18,6 @@ from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
-NEAR = 1e-7
-"""How near a number must be, as a share: an avoidance rule passes rounding on from one body to the next, and some of it
-is magnified."""
 LEAST_GAP = 1e-6
 """A recurrence without contacts holds as long as bodies that collide are farther apart than this, m."""
 
@@ -41,7 +39,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             found = without_contacts(scenario, settings, steers_of(scenario, method.steered_by), damping)
     except CollisionsError:
         return None
-    return None if _touch(found) else Prediction(found, NEAR, "the recurrence of the method, to magnified rounding")
+    return None if _touch(found) else Prediction(found, (bands.STEERED,))
 
 
 def without_contacts(scenario: Scenario, settings: Settings, steers: Steers | None, damping: float = 0.0) -> Trajectory:

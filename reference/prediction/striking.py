@@ -17,11 +17,12 @@ from reference.engines.base import (
     WORLD,
     Method,
 )
+from reference.prediction import bands
 from reference.prediction.bodies import Bodies, State
 from reference.prediction.both import ASIDE, Both, NoRule, along_its_base, points_of
 from reference.prediction.impulses import InTheWorld, MuJoCos, Rule, rule_of
 from reference.prediction.laws import BULLETS_PUSHED_TURN
-from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.prediction.reached import is_reached
 from reference.prediction.sweeps import swept
 from reference.prediction.touching import Meeting, gaps, meetings, touch
@@ -29,10 +30,6 @@ from reference.scene import geometry
 from reference.scene.scenario import Box, Scenario
 from reference.scene.settings import Settings
 
-SOLVED = 1e-6
-"""How near MuJoCo's solver comes in a spring's contact, as a share: 5·10⁻⁷ at most was measured, on random scenes."""
-HEAVIER, SOLVED_WITH_A_HEAVY_BODY = 1e3, 1.5e-4
-"""The same where one body is more than so many times heavier than another: 9.3·10⁻⁵ was measured at 10⁶ times."""
 UNRESOLVED = 1.0
 """√k dt from which Bullet's spring is not resolved: at 1 a step may end exactly at the surface, and rounding decides
 whether the contact continues. Up to 0.9 the rule was measured to hold."""
@@ -71,7 +68,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         for place, body in enumerate(scenario.bodies)
         if not body.immovable
     }
-    return Prediction(trajectory_of(scenario, settings, paths), *_nearness(scenario, method))
+    return Prediction(trajectory_of(scenario, settings, paths), _terms(scenario, settings, method))
 
 
 def _in_a_row(bodies: Bodies, meetings: list[Meeting]) -> bool:
@@ -104,14 +101,20 @@ def _is_seen_ahead(bodies: Bodies, meeting: Meeting, dt: float) -> bool:
     return bool(np.any((ahead > 0) & (ahead < SEEN_AHEAD * bodies.shapes[meeting.ball].radius)))  # type: ignore[union-attr]
 
 
-def _nearness(scenario: Scenario, method: Method) -> tuple[float, str]:
-    """How near an implementation must come to the recurrence, and why."""
-    if method.rule != MUJOCO_SPRING:
-        return ROUNDING, "the recurrence of the method, to rounding"
-    masses = [body.mass for body in scenario.bodies if not body.immovable]
-    if max(masses) > HEAVIER * min(masses):
-        return SOLVED_WITH_A_HEAVY_BODY, "the recurrence, and MuJoCo's solver, whose tolerance grows with the mass"
-    return SOLVED, "the recurrence, and the tolerance of MuJoCo's solver"
+def _terms(scenario: Scenario, settings: Settings, method: Method) -> tuple[bands.Term, ...]:
+    """What keeps an implementation from the recurrence, besides the rounding of its steps."""
+    found = [bands.contact(settings.timestep)]
+    if method.rule in (BULLET, BULLET_SPRING) and any(isinstance(body.shape, Box) for body in scenario.bodies):
+        found.append(bands.bullets_search(settings.timestep))
+    if method.rule == MUJOCO_SPRING:
+        movable = [body for body in scenario.bodies if not body.immovable]
+        with_friction = any(pair.kinetic_friction > 0 for pair in scenario.pairs)
+        found.append(bands.mujocos_tolerance(movable, with_friction))
+    if len(scenario.pairs) > 1 and method.rule == WORLD and "response" not in settings.options:
+        found.append(bands.sweeps(settings.number("tolerance"), scenario))
+    if "solver_tolerance" in settings.options:  # DART sweeps over the three directions of a contact
+        found.append(bands.sweeps(settings.number("solver_tolerance"), scenario))
+    return tuple(found)
 
 
 class Striking:

@@ -11,7 +11,7 @@ from reference.arrays import Array
 from reference.checks import Vector
 from reference.engines.base import DART, MUJOCO_ONE_STEP, Method
 from reference.engines.surveying import CONTACTS_OF, HULL
-from reference.prediction import loaded, striking
+from reference.prediction import bands, loaded, striking
 from reference.prediction.answering import BULLETS_MARGIN
 from reference.prediction.predicted import Prediction
 from reference.scene import geometry
@@ -32,9 +32,6 @@ SIZE = 1.5625
 """Of the bowl, from side to side, m."""
 FLAT = 1e-9
 """m; a length below this is zero."""
-IN_SINGLE = 1e-6
-"""What MuJoCo's meshes leave of a number, as a share: their vertices are kept in single precision, and the search for
-nearest points ends at 10⁻⁶ m. 1.1·10⁻⁷ at most was measured."""
 
 
 def _ring(wider: float, height: float) -> tuple[Vector, ...]:
@@ -111,7 +108,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return None
     found = replace(found, trajectory=told_of(scenario, found.trajectory))
     if method.rule == MUJOCO_ONE_STEP:
-        return replace(found, near=IN_SINGLE, reason="the recurrence, and a mesh in single precision")
+        return replace(found, terms=(*found.terms, bands.mesh_in_single(solid.shape)))
     return found
 
 

@@ -61,7 +61,7 @@ def _speed(trajectory: Trajectory) -> float:
 
 
 def _expect_speed(case: Case, settings: Settings, method: Method) -> Expectation:
-    size = 1 / 3.0  # the band of what holds is for a way in 3 s
+    size = 1 / DURATION  # the band of what holds is for the way of the whole run
     if method.kind == EXACT:
         return Expectation(0.0, 1e-15, "rounding only: what friction holds does not move", size=size)
     why = "1 mm in 3 s: nobody sees it"

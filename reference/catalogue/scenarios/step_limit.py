@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -15,6 +16,7 @@ from reference.catalogue.family import Convergence, Curve, Expectation, Family, 
 from reference.catalogue.grid import Grid, Parameter
 from reference.engines.base import EXACT, Method
 from reference.prediction import loaded
+from reference.prediction.bands import ULP, Term
 from reference.prediction.predicted import Prediction
 from reference.scene.forces import Spring
 from reference.scene.scenario import Body, Scenario, Sphere
@@ -132,8 +134,14 @@ def _expect_growth(case: Case, settings: Settings, method: Method) -> Expectatio
 def _predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
     """The recurrence, as long as nodes stay near their places; when springs turn over, rounding decides how."""
     found = loaded.predict(scenario, settings, method)
-    ways = found.trajectory.positions if found else np.zeros(1)
-    return found if np.max(np.abs(ways - ways[0])) < SPACING else None
+    if found is None:
+        return None
+    places = found.trajectory.positions
+    if np.max(np.abs(places - places[0])) >= SPACING:
+        return None
+    # Each step rounds the length of a spring by an ulp of its coordinates, which disturbs the vibration.
+    disturbed = settings.steps_for(scenario.duration) * ULP * float(np.max(np.abs(places))) / AMPLITUDE
+    return replace(found, terms=(Term("rounding in springs", disturbed / math.log(10) / FAR),))
 
 
 STEP_LIMIT = Family(

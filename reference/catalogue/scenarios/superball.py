@@ -15,6 +15,7 @@ from reference.catalogue.grid import Grid, Parameter
 from reference.engines.base import BULLET, MUJOCO_SPRING, Method
 from reference.errors import RunFailed
 from reference.prediction import striking
+from reference.prediction.bands import Term
 from reference.prediction.predicted import Prediction
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
@@ -44,9 +45,9 @@ TWO_CONTACTS = (0.03, 0.05)
 """By which way of its surface in a step, as a share of its radius, a ball keeps the contact of the last step in Bullet
 beside the new one. With less Bullet takes the two for one, and with more it forgets the old one. Measured: with spins
 from 33 to 48 rad/s at 1 ms, and with none from 5 to 60 rad/s at 0.5 or 2 ms."""
-TURNED_BY_TWO = 1e-4
-"""What the second contact may change, as a share of the speed along the floor. 2.5·10⁻⁵ was measured at most, beside
-a spin of 0.04 rad/s about the normal, which no number here has."""
+TURNED_BY_TWO = Term("a contact that Bullet keeps beside the new one, and which has turned with the ball", 1e-4)
+"""A share of the speed along the floor. 2.5·10⁻⁵ was measured at most, beside a spin of 0.04 rad/s about the normal,
+which no number here has."""
 WHY = "the contact lies inside the ball, which shortens the arm of friction; or friction acts too gently in a spring"
 
 
@@ -139,12 +140,13 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if found is None:
         return None
     if method.rule == MUJOCO_SPRING:
-        why = "the recurrence, and the tolerance of MuJoCo's solver, ten times as large after each impact"
-        return replace(found, near=striking.SOLVED * 10.0 ** (IMPACTS - 1), reason=why)
+        left = sum(term.share for term in found.terms) * (10.0 ** (IMPACTS - 2) - 1)
+        return replace(
+            found, terms=(*found.terms, Term("each impact but the first two makes an error ten times larger", left))
+        )
     turn = float(np.linalg.norm(scenario.body("ball").angular_velocity)) * settings.timestep
     if method.rule == BULLET and TWO_CONTACTS[0] < turn < TWO_CONTACTS[1]:
-        why = "the recurrence with one contact; Bullet keeps the last one beside it, which has turned with the ball"
-        return replace(found, near=TURNED_BY_TWO, reason=why)
+        return replace(found, terms=(*found.terms, TURNED_BY_TWO))
     return found
 
 

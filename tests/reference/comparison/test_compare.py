@@ -30,6 +30,7 @@ from reference.errors import (
     WorkerKilled,
     WorkerTimeout,
 )
+from reference.prediction.bands import Term
 from reference.prediction.predicted import Prediction
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
@@ -316,7 +317,7 @@ def predicted(*heights: float, near: float = 1e-9) -> Family:
 
     def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction:
         there = falling_ball("there", 0.5, wanted[scenario] - 0.1, 0.2)
-        return Prediction(Still().run(there, settings), near)
+        return Prediction(Still().run(there, settings), (Term("near", near),))
 
     return replace(found, predict=predict)
 

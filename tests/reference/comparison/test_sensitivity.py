@@ -12,7 +12,7 @@ from reference.comparison.faults import FAULTS
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity, Subject, chosen
 from reference.engines import load_engine
 from reference.errors import CannotExpress
-from reference.prediction.predicted import ROUNDING
+from reference.prediction.bands import Term
 from reference.recording import sensitivity as kept
 
 HAND = load_engine("handwritten")
@@ -25,7 +25,7 @@ def with_bands(family, factor):
 
     def predict(*asked):
         found = family.predict(*asked)
-        return replace(found, near=factor * found.near)
+        return replace(found, terms=(*found.terms, Term("coarser", (factor - 1) * found.near)))
 
     return replace(family, predict=predict)
 
@@ -42,10 +42,12 @@ def test_a_judge_that_is_coarser_notices_only_larger_faults(fault):
 
 
 def test_the_size_of_a_restitution_is_what_the_band_allows():
-    """A rebound of e² of 1 m changes by 2 e² of the share by which e changes, and one nanometre is allowed."""
-    found = found_in(DROPS, "e=0.5", "slide", "restitution")
+    """A rebound of e² of 1 m changes by 2 e² of the share by which e changes."""
+    found, case = found_in(DROPS, "e=0.5", "slide", "restitution"), DROPS.case("e=0.5")
+    settings = HAND.settings(case.scenarios[0], "slide")
+    near = DROPS.predict(case.scenarios[0], settings, HAND.method(case.scenarios[0], settings)).near
     assert (found.case, found.quantity) == ("e=0.5", "rebound")
-    assert ROUNDING / 0.5 < found.size < 1.1 * ROUNDING / 0.5
+    assert near / 0.5 < found.size < 1.1 * near / 0.5
 
 
 def test_a_restitution_of_one_can_only_be_too_small():

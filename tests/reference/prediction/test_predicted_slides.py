@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from reference.catalogue.scenarios.friction import HALF_EXTENTS, slab_on_plane
+from reference.catalogue.scenarios.friction import HALF_EXTENTS, slab_on_plane, slack_aside
 from reference.catalogue.scenarios.rolling import ball_on_plane
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, BULLET, DIAMOND, EXACT, SQUARE, Method
-from reference.prediction import sliding
+from reference.prediction import bands, sliding
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
@@ -62,7 +62,11 @@ def test_every_sample_of_an_engine_is_as_predicted(name, scene, installed):
         return
     run = engine.run(scenario, settings)
     off = np.linalg.norm(positions(found.trajectory) - positions(run), axis=1)
-    assert np.max(off) < found.near
+    if name == "mujoco" and "ball" not in scene:  # corners that come off the ground in turn push it aside
+        assert np.max(off) < slack_aside(settings, engine.method(scenario, settings))
+        ways = [np.linalg.norm(positions(each) - positions(each)[0], axis=1) for each in (found.trajectory, run)]
+        off = ways[0] - ways[1]
+    assert np.max(np.abs(off)) < found.near
     if "ball" in scene:
         # in m/s at the surface
         turning = 0.1 * (found.trajectory.angular_velocities[:, 1] - run.angular_velocities[:, 1])
@@ -75,20 +79,18 @@ BY_HAND = {
     "breaks away": turned_slope(0.4, 0.3),
     "stops uphill and stays": turned_slope(0.7, 0.3, speed=-0.4),
 }
-IN_THE_WORLD = [pytest.param(what, "world", 1e-9, marks=pytest.mark.slow) for what in BY_HAND]
+IN_THE_WORLD = [pytest.param(what, "world", marks=pytest.mark.slow) for what in BY_HAND]
 
 
-@pytest.mark.parametrize(
-    ("what", "profile", "near"), [*((what, "step", 1e-12) for what in BY_HAND), *IN_THE_WORLD]
-)  # the world sweeps to 10⁻¹⁰
-def test_every_step_by_hand_is_as_predicted(what, profile, near, installed):
+@pytest.mark.parametrize(("what", "profile"), [*((what, "step") for what in BY_HAND), *IN_THE_WORLD])
+def test_every_step_by_hand_is_as_predicted(what, profile, installed):
     engine, scenario = installed("handwritten"), BY_HAND[what]
     settings = engine.settings(scenario, profile)
     found = sliding.predict(scenario, settings, engine.method(scenario, settings))
     run = engine.run(scenario, settings)
-    np.testing.assert_allclose(found.trajectory.velocities, run.velocities, rtol=0, atol=near)
-    np.testing.assert_allclose(found.trajectory.positions, run.positions, rtol=0, atol=near)
-    assert found.near == 1e-9
+    np.testing.assert_allclose(found.trajectory.velocities, run.velocities, rtol=0, atol=found.near)
+    np.testing.assert_allclose(found.trajectory.positions, run.positions, rtol=0, atol=found.near)
+    assert found.near < 1e-10
 
 
 @pytest.mark.parametrize(("sides", "straight"), [((0.2, 0.2), True), ((0.3, 0.2), False)])
@@ -182,11 +184,12 @@ def test_what_solves_for_its_stop_has_no_recurrence():
 
 def test_bullet_is_less_exact_where_a_step_moves_a_box_past_its_corners():
     fast = 1.1 * 0.02 * float(np.linalg.norm(HALF_EXTENTS)) / 1e-3
-    near = [
+    slow, fast = (
         sliding.predict(slab_on_plane("fast", 0.2, 0.0, speed, 0.01), BULLET_SETTINGS, BULLETS).near
         for speed in (fast / 1.2, fast)
-    ]
-    assert near == [pytest.approx(1e-8), pytest.approx(5 * 9.81e-6)]
+    )
+    assert slow < 1e-10
+    assert fast == pytest.approx(4 * 9.81e-6)
 
 
 def predicted(name: str, scene: str, installed, **changes):
@@ -209,7 +212,9 @@ def test_a_ball_sinks_into_darts_ground_as_predicted(installed):
 
 def test_dart_leaves_a_share_of_what_makes_a_rolling_ball_slip(installed):
     found = predicted("dart", "a ball rolls down", installed).trajectory
-    slip = np.linalg.norm(found.velocities[-1, 1]) - 0.07 * np.linalg.norm(found.angular_velocities[-1, 1])
+    normal = np.array([math.sin(0.3), 0.0, math.cos(0.3)])
+    arm = found.positions[-1, 1] @ normal - 1e-9  # to the ground, which is a margin higher
+    slip = np.linalg.norm(found.velocities[-1, 1]) - arm * np.linalg.norm(found.angular_velocities[-1, 1])
     assert slip == pytest.approx(
         1e-5 * 9.81 * math.sin(0.3) * 1e-3, rel=0.01
     )  # m/s; the ball moves also into the plane
@@ -218,7 +223,8 @@ def test_dart_leaves_a_share_of_what_makes_a_rolling_ball_slip(installed):
 def test_a_box_that_mujoco_holds_is_predicted_to_stay(installed):
     found = predicted("mujoco", "a box holds on a turned slope", installed)
     assert np.max(np.abs(positions(found.trajectory) - positions(found.trajectory)[0])) < 1e-6
-    assert found.near == pytest.approx(1e-3)
+    pull, height = 9.81 * math.sin(SLOPE) * 1e-4, 0.1 / 0.3
+    assert found.near == pytest.approx(bands.creeping(height, pull, 0.3).share, rel=1e-5)
 
 
 def test_mujoco_brakes_a_slab_a_little_without_friction(installed):
@@ -232,7 +238,7 @@ def test_mujoco_brakes_a_slab_a_little_without_friction(installed):
 
 def test_without_a_margin_rounding_may_hide_the_first_contact(installed):
     found = predicted("dart", "a ball rolls down", installed, margin=None)
-    assert found.near == pytest.approx(1e-6 + 2 * 9.81e-6 * math.cos(0.3))
+    assert found.near == pytest.approx(2 * 9.81e-6 * math.cos(0.3), rel=0.01)
 
 
 def test_a_ball_that_spins_has_no_recurrence():

@@ -1,0 +1,190 @@
+"""The terms of a band: each thing that keeps a right implementation from its recurrence, and by how much at most.
+
+A band is the sum of its terms. Each is a share of the number, or of its size where the number is smaller; the size is
+one unit unless the quantity says otherwise. Most terms are derived, and say from what. A few follow no rule that we
+know. They were measured on random scenes, which `tests/reference/prediction/test_bands.py` draws and measures again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from reference.scene.polyhedron import Polyhedron
+from reference.scene.pressed import SWEEPS_PER_RATIO, sweeps_needed
+from reference.scene.scenario import Body, Scenario
+
+
+class Term(NamedTuple):
+    """One term of a band: what it is, and how large it may be."""
+
+    name: str
+    share: float
+
+
+# Rounding
+
+ULP = 2.0**-52
+"""Distance from 1 to the next number in double precision. A result is rounded by half of it at most."""
+IN_SINGLE = 2.0**-24
+"""Largest share by which single precision changes a number that is stored in it."""
+IN_A_NUMBER = 64
+"""Roundings, in ulps, of a number that is read from states: a sum or a quotient of a handful of coordinates, some of
+which are ten times as large as the number."""
+IN_A_CONTACT = 64
+"""Roundings, in half ulps, between the poses of two bodies and their impulse: a normal, two arms, K and a quotient."""
+
+
+def steps(count: int) -> Term:
+    """Rounding of so many steps, which both runs make in an order of their own.
+
+    A step rounds a velocity and a position by half an ulp each, and the position carries the errors of the velocity.
+    So both runs together are off by two ulps a step at most.
+    """
+    return Term("rounding of the steps", (2 * count + IN_A_NUMBER) * ULP)
+
+
+def contact(timestep: float) -> Term:
+    """Rounding of a contact. In one step it may turn a gap into a speed: an ulp of 1 m into 1/dt ulps of 1 m/s."""
+    return Term("rounding in a contact", IN_A_CONTACT * ULP * (1 + 1 / timestep))
+
+
+# What a solver leaves
+
+UNCONVERGED = 10.0
+"""Sweeps that end when a sweep changes no impulse by more than a share leave ρ/(1 − ρ) of that share, where each sweep
+leaves ρ of the error. This is enough up to ρ = 0.9; a row of five equal balls has 0.65 (Gauss–Seidel: cos² π/5)."""
+MUJOCO_SPRUNG, MUJOCO_SPRUNG_WITH_FRICTION = 6e-8, 6e-7
+"""What MuJoCo's Newton solver leaves in a spring's contact, m/s, for one body of three translations alone. It stops
+when a step improves the cost by less than `tolerance`, 10⁻⁸, times the trace of the mass matrix. A cost is a mass times
+a square, so that a velocity is off by the root of trace/mass times a constant, which was measured. With friction the cost
+has a cone in it, and the last steps gain less."""
+
+
+def sweeps(tolerance: float, scenario: Scenario) -> Term:
+    """What sweeps leave that end at a tolerance, a share of the largest impulse.
+
+    Through a body of mass m between two of M a sweep leaves 1 − 2 m/M of the error (`reference.scene.pressed`).
+    """
+    unconverged = max(UNCONVERGED, sweeps_needed(scenario) / (2 * SWEEPS_PER_RATIO))
+    return Term("sweeps that end at a tolerance", unconverged * tolerance)
+
+
+def mujocos_tolerance(bodies: Sequence[Body], with_friction: bool) -> Term:
+    """What MuJoCo's solver leaves in the contact of a spring, which takes some sixteen steps of four stages each."""
+    trace = sum(3 * body.mass + sum(body.moments_of_inertia()) for body in bodies)
+    share = MUJOCO_SPRUNG_WITH_FRICTION if with_friction else MUJOCO_SPRUNG
+    share *= (trace / (3 * min(body.mass for body in bodies))) ** 0.5
+    return Term("the tolerance of MuJoCo's solver", share)
+
+
+BULLETS_ACCURACY = 1e-12
+"""Length at which Bullet's search for the nearest points of two shapes ends, m (`EPA_ACCURACY`)."""
+
+
+def bullets_search(timestep: float) -> Term:
+    """What the search for nearest points leaves of a gap, which a contact turns into a speed."""
+    return Term("Bullet's search for nearest points", BULLETS_ACCURACY / timestep)
+
+
+DARTS_FOUR_CORNERS = Term("DART's sweeps over four corners that strike", 1e-4)
+"""Three would carry the box, and sweeps over a fourth converge slowly; in rad, m and shares."""
+DARTS_TWO_CORNERS = Term("DART's sweeps over two corners that strike", 3e-5)
+"""Where both grip: 5000 sweeps leave nearly as much as 200."""
+FOLLOWED_IMPACT = Term("the law's own integral", 2e-8)
+"""The laws of Poisson and Stronge follow an impact through its changes of slip, each found to half the digits."""
+STEERED = Term("rounding that a rule of avoidance magnifies", 1e-9)
+"""A rule cuts half-planes of velocities with each other. Where two borders meet at an angle of 10⁻³ rad, that magnifies
+the rounding of some thousand steps, 10⁻¹², a thousand times."""
+
+
+# What an implementation leaves of a scene
+
+
+def mesh_in_single(shape: Polyhedron) -> Term:
+    """MuJoCo keeps the vertices of a mesh in single precision, moved and turned to principal axes.
+
+    A face is tilted by what its vertices are off, over the shortest edge. An impact turns with its normal, twice.
+    """
+    corners = shape.points[np.array(shape.faces)]
+    shortest = float(np.min(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=-1)))
+    off = IN_SINGLE * float(np.max(np.linalg.norm(shape.points, axis=-1)))
+    return Term("vertices in single precision", off + 2 * off / shortest)
+
+
+def sinking(overlap: float, count: int) -> Term:
+    """Friction acts within the overlap, so that the arm of a ball changes while it sinks in.
+
+    overlap: as a share of the radius. count: of steps. DART takes back 1 % of an overlap in a step.
+    """
+    return Term("the arm of a ball that sinks in", overlap * min(1.0, 100 / count))
+
+
+LATE_ASLEEP = 0.2
+"""Share of an overlap that DART takes back in 20 steps, 1 % in each. A body fell asleep up to 16 steps late."""
+
+
+def asleep(overlap: float) -> Term:
+    """What a step of sleep that comes late leaves of the overlap that DART still takes back, m."""
+    return Term("a sleep that begins some steps late", LATE_ASLEEP * overlap)
+
+
+def first_step(fall: float, timestep: float) -> Term:
+    """Where bodies touch with a gap of zero rounding decides whether the first step has a contact: a fall more or less.
+
+    fall: what weight adds to the speed in a step, m/s. In that step there is no friction either.
+    """
+    return Term("a first step without contact", 2 * abs(fall) * timestep)
+
+
+BULLETS_CORNERS, LOST_CORNERS = 1e-6, 4.0
+"""What 200 sweeps of Bullet's leave of a tall box near the critical slope, m, and how many falls of a step a fast box
+that loses its corners again and again is off, as measured on random boxes."""
+
+
+def bullets_corners(height: float) -> Term:
+    """Near the critical slope sweeps over four corners are slow. height: of the box, in widths; it couples them."""
+    return Term("Bullet's sweeps over four corners", BULLETS_CORNERS * height**2)
+
+
+def lost_corners(fall: float, timestep: float) -> Term:
+    """A step in which Bullet has lost the corners of a fast box lets it fall, with as little friction."""
+    return Term("a step in which Bullet loses corners", LOST_CORNERS * abs(fall) * timestep)
+
+
+def first_sweeps(tolerance: float, fall: float) -> Term:
+    """What sweeps leave in the first step of a slide, m/s; later ones begin with impulses that are right already."""
+    return Term("sweeps of the first step", UNCONVERGED * tolerance * abs(fall))
+
+
+def late(change: float) -> Term:
+    """What a step of delay at a break-away changes of a speed, m/s, and in a second of a way, m."""
+    return Term("a break-away a step early or late", change)
+
+
+CREEPING, ROCKING, ROCKING_NEAR_CRITICAL, ROCKING_DRIVEN, CHATTER = 3.0, 1.0, 2.0, 2.0, 0.01
+"""A box in MuJoCo stands on four corners and on two in turns, because the main solver does not know of friction. That
+follows no rule that we know. In each step friction takes some speed and turns the box by it, in proportion to height
+over width; what comes back drives the box on. These are the largest shares of it that random boxes need."""
+
+
+def creeping(height: float, pull: float, duration: float) -> Term:
+    """A box that friction holds creeps, in m. height: in widths. pull: what friction takes in a step, m/s."""
+    return Term("a box that MuJoCo lets creep", CREEPING * height * pull * duration)
+
+
+def rocking(height: float, friction: float, fall: float, duration: float, is_critical: bool) -> Term:
+    """A box that slides rocks, in m; more where its weight pulls it nearly as much as friction holds.
+
+    height: in widths. friction, fall: what they change of a speed in a step, m/s. Without friction it chatters.
+    """
+    share = ROCKING_NEAR_CRITICAL * height if is_critical else ROCKING * height**2
+    speed = share * friction + CHATTER * height * abs(fall)
+    return Term("a box that rocks in MuJoCo", speed * duration)
+
+
+def rocking_driven(timestep: float) -> Term:
+    """A box under a push that changes passes the limit of friction, and is near it for a while; in m and s."""
+    return Term("a driven box that rocks in MuJoCo", ROCKING_DRIVEN * timestep)
