@@ -59,8 +59,8 @@ leaves ρ of the error. This is enough up to ρ = 0.9; a row of five equal balls
 MUJOCO_SPRUNG, MUJOCO_SPRUNG_WITH_FRICTION = 6e-8, 6e-7
 """What MuJoCo's Newton solver leaves in a spring's contact, m/s, for one body of three translations alone. It stops
 when a step improves the cost by less than `tolerance`, 10⁻⁸, times the trace of the mass matrix. A cost is a mass times
-a square, so that a velocity is off by the root of trace/mass times a constant, which was measured. With friction the cost
-has a cone in it, and the last steps gain less."""
+a square, so that a velocity is off by the root of trace/mass times a constant, which was measured. With friction the
+cost has a cone in it, and the last steps gain less."""
 
 
 def sweeps(tolerance: float, scenario: Scenario) -> Term:
