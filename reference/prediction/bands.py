@@ -30,6 +30,8 @@ ULP = 2.0**-52
 """Distance from 1 to the next number in double precision. A result is rounded by half of it at most."""
 IN_SINGLE = 2.0**-24
 """Largest share by which single precision changes a number that is stored in it."""
+IN_A_STEP = 10
+"""Roundings of a step, in ulps: both runs make as many halves of an ulp."""
 IN_A_NUMBER = 64
 """Roundings, in ulps, of a number that is read from states: a sum or a quotient of a handful of coordinates, some of
 which are ten times as large as the number."""
@@ -40,10 +42,10 @@ IN_A_CONTACT = 64
 def steps(count: int) -> Term:
     """Rounding of so many steps, which both runs make in an order of their own.
 
-    A step rounds a velocity and a position by half an ulp each, and the position carries the errors of the velocity.
-    So both runs together are off by two ulps a step at most.
+    A step rounds a velocity and a position by half an ulp each. A quaternion takes some ten roundings: its turn's sine
+    and cosine, four products added up, and its length.
     """
-    return Term("rounding of the steps", (2 * count + IN_A_NUMBER) * ULP)
+    return Term("rounding of the steps", (IN_A_STEP * count + IN_A_NUMBER) * ULP)
 
 
 def contact(timestep: float) -> Term:

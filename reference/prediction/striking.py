@@ -108,7 +108,8 @@ def _terms(scenario: Scenario, settings: Settings, method: Method) -> tuple[band
         found.append(bands.bullets_search(settings.timestep))
     if method.rule == MUJOCO_SPRING:
         movable = [body for body in scenario.bodies if not body.immovable]
-        with_friction = any(pair.kinetic_friction > 0 for pair in scenario.pairs)
+        spinning = any(any(body.angular_velocity) for body in movable)  # no contact is smooth to MuJoCo
+        with_friction = spinning or any(pair.kinetic_friction > 0 for pair in scenario.pairs)
         found.append(bands.mujocos_tolerance(movable, with_friction))
     if len(scenario.pairs) > 1 and method.rule == WORLD and "response" not in settings.options:
         found.append(bands.sweeps(settings.number("tolerance"), scenario))

@@ -108,6 +108,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return None
     found = replace(found, trajectory=told_of(scenario, found.trajectory))
     if method.rule == MUJOCO_ONE_STEP:
+        assert isinstance(solid.shape, Polyhedron)
         return replace(found, terms=(*found.terms, bands.mesh_in_single(solid.shape)))
     return found
 
