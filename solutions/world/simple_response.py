@@ -143,7 +143,7 @@ def respond(
     dt : s
     rest_speed : m/s
         A contact whose points close no faster than this rests (slide 21).
-        So does one that would not have closed its gap at the end of the step.
+        So does one whose gap would still be open after dt at this speed.
     sweeps : how often to go through the contacts
         In `solve_by_sweeps`, and in `sequential_impulses` as well.
     start : (m, 3), impulses to begin with, N s
@@ -159,7 +159,8 @@ def respond(
     -----
     **Impacts.** They come first, with the velocities as they are, because an
     impact is too short for a load to matter. Slide 21 decides about each
-    contact. Two bodies that collide at several places get one impulse, in the
+    contact: it collides if it closes faster than rest_speed, and fast enough
+    to touch within the step. Two bodies that collide at several places get one impulse, in the
     middle of these places. The pairs have their turns one after another, and
     again, as in `propagate_impacts`, until none of them collides or `ROUNDS`
     are over.

@@ -327,7 +327,7 @@ def after_one_contact(bodies, state, touching, load, dt, rest_speed, sweeps, sta
             motion[k] = motion[k] + impulse * give[k]
 
     least = -max(gap, 0) / dt
-    if speed() < -rest_speed:
+    if speed() < -rest_speed and gap + dt * speed() < 0:
         push(-(1 + e[i, j]) * speed() / soft)
         least = max(speed(), 0)
     for k in range(len(share)):

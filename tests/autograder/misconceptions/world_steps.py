@@ -60,6 +60,7 @@ def response(
     rough_least=lambda least: least,
     rub=lambda table, a, b: table[a, b],
     first_alone=False,
+    early=False,
 ):
     """Impacts, then rest; each part may be another one."""
     inverse_mass, moments, restitution, friction, *_ = bodies
@@ -81,7 +82,8 @@ def response(
         quiet = True
         for pair in order([each[k : k + 1] for each in contacts_by_pair(contacts) for k in range(len(each))]
                           if split else contacts_by_pair(contacts)):  # fmt: skip
-            closing = pair[closes(rows[pair, 0] @ motion.ravel(), rest_speed)]
+            speed = rows[pair, 0] @ motion.ravel()
+            closing = pair[closes(speed, rest_speed) & (early | (dt * speed < -gap[pair]))]
             if len(closing):
                 i, j, at = a[pair[0]], b[pair[0]], place(point, pair, closing)
                 after = collide_with_friction(
@@ -195,10 +197,13 @@ BANK = (
     M("respond", "rest_speed forgotten", with_(closes=lambda u, rest: u < 0),
       "Whatever closes collides, however slowly: nothing ever comes to rest.",
       "Slide 21 has three cases. In which of them is a contact that closes more slowly than rest_speed?"),
-    M("respond", "collides if it parts", with_(closes=lambda u, rest: u > rest, rounds=1),
+    M("respond", "struck before it touches", with_(early=True),
+      "Whatever closes fast collides at once, although its gap would still be open at the end of the step.",
+      "The gap is 6 cm, the points close at 1 m/s, and the step is 1/100 s. Do they touch in this step?"),
+    M("respond", "collides if it parts", with_(closes=lambda u, rest: u > rest, rounds=1, early=True),
       "A contact collides where its points part. The normal points from B to A, so that closing is negative.",
       "What sign has the normal velocity of two points that come nearer?"),
-    M("respond", "size of the speed", with_(closes=lambda u, rest: np.abs(u) > rest, rounds=1),
+    M("respond", "size of the speed", with_(closes=lambda u, rest: np.abs(u) > rest, rounds=1, early=True),
       "It asks for the size of the speed: contacts whose points part collide, too.",
       "A ball leaves the floor at 3 m/s. Does it collide?"),
     M("respond", "the first place alone", with_(place=lambda points, pair, closing: points[closing[0]]),

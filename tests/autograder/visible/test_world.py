@@ -325,6 +325,7 @@ def test_first_what_collides_and_then_what_rests(submission, part):
             ({"body": falling(REST), "gap": 0.25}, ([0, 0, -1.25], REST)),
             ({"body": falling(REST), "gap": -0.25}, (REST, [2.5, 0, 0])),
             ({"body": falling([0, 1, -4]), "gap": 0.25}, ([0, 1, 2], [2.5, 0, 0])),
+            ({"body": falling([0, 1, -4]), "gap": 0.75}, ([0, 1, -5.25], REST)),  # it does not touch in this step
             ({"body": falling([0, 1, 3])}, ([0, 1, 1.75], REST)),
             ({"body": falling(REST), "others": (0, 0, 52)}, ([0, 0, 2], REST)),
             ({"body": falling(REST), "others": (16, -8, 0)}, ([1, -0.5, 0], [2.5, 0, 0])),

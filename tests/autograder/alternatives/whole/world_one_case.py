@@ -107,7 +107,7 @@ def respond(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
         again = False
         for i, j in dict.fromkeys(zip(a.tolist(), b.tolist(), strict=True)):
             own = [c for c in each if (a[c], b[c]) == (i, j)]
-            closing = [c for c in own if along(c) < -rest_speed]
+            closing = [c for c in own if along(c) < -rest_speed and gap[c] + along(c) * dt < 0]
             if closing:
                 place = sum(point[c] for c in closing) / len(closing)
                 hit = collide_with_friction(body(i, place), body(j, place), normal[own[0]], e[i, j], mu[i, j])

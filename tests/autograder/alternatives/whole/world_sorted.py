@@ -103,7 +103,7 @@ def respond(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
         rounds, again = rounds + 1, False
         for pair in contacts_by_pair(contacts):
             speeds = rows[pair, 0] @ u.reshape(-1)
-            fast = speeds < -rest_speed
+            fast = (speeds < -rest_speed) & (dt * speeds < -gap[pair])
             if not fast.any():
                 continue
             i, j, spot = a[pair[0]], b[pair[0]], point[pair][fast].mean(axis=0)

@@ -330,7 +330,8 @@ def respond_1(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     for _ in range(100):
         quiet = True
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            speed = rows[pair] @ motion.ravel()
+            closing = pair[(speed < -rest_speed) & (dt * speed < -gap[pair])]
             if len(closing):
                 i, j = a[pair[0]], b[pair[0]]
                 place = point[closing].mean(axis=0)
@@ -388,7 +389,8 @@ def respond_2(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     for _ in range(100):
         quiet = True
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            speed = rows[pair] @ motion.ravel()
+            closing = pair[(speed < -rest_speed) & (dt * speed < -gap[pair])]
             if len(closing):
                 i, j = a[pair[0]], b[pair[0]]
                 place = point[closing].mean(axis=0)
@@ -445,7 +447,8 @@ def respond_3(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     collided = np.zeros(len(a), dtype=bool)
     for _ in range(100):
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            speed = rows[pair] @ motion.ravel()
+            closing = pair[(speed < -rest_speed) & (dt * speed < -gap[pair])]
             if len(closing):
                 i, j = a[pair[0]], b[pair[0]]
                 place = point[closing].mean(axis=0)
@@ -501,7 +504,8 @@ def respond_4(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     for _ in range(100):
         quiet = True
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            speed = rows[pair] @ motion.ravel()
+            closing = pair[(speed < -rest_speed) & (dt * speed < -gap[pair])]
             if len(closing):
                 i, j = a[pair[0]], b[pair[0]]
                 place = point[closing].mean(axis=0)
@@ -559,7 +563,8 @@ def respond_5(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     for _ in range(100):
         quiet = True
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            speed = rows[pair] @ motion.ravel()
+            closing = pair[(speed < -rest_speed) & (dt * speed < -gap[pair])]
             if len(closing):
                 i, j = a[pair[0]], b[pair[0]]
                 place = point[closing].mean(axis=0)
@@ -617,7 +622,8 @@ def respond_6(bodies, state, contacts, load, dt, rest_speed, sweeps, start):
     for _ in range(100):
         quiet = True
         for pair in contacts_by_pair(contacts):
-            closing = pair[rows[pair] @ motion.ravel() < -rest_speed]
+            speed = rows[pair] @ motion.ravel()
+            closing = pair[(speed < -rest_speed) & (dt * speed < -gap[pair])]
             if len(closing):
                 i, j = a[pair[0]], b[pair[0]]
                 place = point[closing].mean(axis=0)
