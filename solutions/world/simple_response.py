@@ -160,10 +160,10 @@ def respond(
     **Impacts.** They come first, with the velocities as they are, because an
     impact is too short for a load to matter. Slide 21 decides about each
     contact: it collides if it closes faster than rest_speed, and fast enough
-    to touch within the step. Two bodies that collide at several places get one impulse, in the
-    middle of these places. The pairs have their turns one after another, and
-    again, as in `propagate_impacts`, until none of them collides or `ROUNDS`
-    are over.
+    to touch within the step. Two bodies that collide at several places get one
+    impulse, in the middle of these places. The pairs have their turns one
+    after another, and again, as in `propagate_impacts`, until none of them
+    collides or `ROUNDS` are over.
 
     **Rest.** The load would change the speeds of the contacts to G (v + M⁻¹ F
     dt). Two bodies that have just collided are carried in this step, at all of

@@ -166,7 +166,6 @@ def _responding() -> list[Probe]:
         usual("a gap that this step closes", *_on_floor(_falling(REST), UNDER, gap=0.0625)),
         usual("a gap that it does not close", *_on_floor(_falling(REST), UNDER, gap=0.25)),
         usual("fast, across a gap that it does not close", *_on_floor(_falling((0, 1, -4)), UNDER, gap=0.75)),
-        usual("fast, across a gap that it closes", *_on_floor(_falling((0, 1, -4)), UNDER, gap=0.25)),
         usual("a gap above a rough floor", *_on_floor(_falling((1, 0, 0)), UNDER, gap=0.0625, friction=0.25)),
         usual("in overlap", *_on_floor(_falling(REST), UNDER, gap=-0.125)),
         usual("it strikes in overlap", *_on_floor(_falling((0, 1, -4)), UNDER, gap=-0.125)),
