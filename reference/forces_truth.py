@@ -37,17 +37,6 @@ def apex_height(velocity: Array, acceleration: Array) -> float:
     return float(-(velocity[2] ** 2) / (2 * acceleration[2]))
 
 
-def stepped_throw(velocity: Array, acceleration: Array, timestep: float) -> Array:
-    """Velocity, (3,), m/s, of the exact throw on which all positions of semi-implicit Euler lie.
-
-    After n steps the velocity is v + n a dt, and the position is the sum of the velocities after each step,
-    n v dt + n (n + 1) a dt²/2. With t = n dt this is (v + a dt/2) t + a t²/2. So every closed form of a throw holds,
-    with v + a dt/2 for v. For the flight it gives T − dt, and for the way to the landing (1 − dt/T) times the true one:
-    (v + a dt/2)(T − dt) + a (T − dt)²/2 = (T − dt)(v + a T/2).
-    """
-    return np.asarray(velocity + acceleration * timestep / 2)
-
-
 # Oscillators: m x″ + c x′ + k x = 0, x0 and v0 at the start
 
 
@@ -64,7 +53,7 @@ def swing(
     root = cmath.sqrt(squared - beta**2)
     decay = math.exp(-beta * time)
     cosine = decay * cmath.cos(root * time).real
-    sine = decay * (cmath.sin(root * time) / root).real if abs(root) > _NO_ROOT else decay * time
+    sine = decay * (cmath.sin(root * time) / root).real if root else decay * time
     return (
         place * cosine + (speed + beta * place) * sine,
         speed * cosine - (squared * place + beta * speed) * sine,
@@ -78,7 +67,7 @@ def turning(place: float, speed: float, stiffness: float, damping: float, mass: 
     """
     beta, squared = damping / (2 * mass), stiffness / mass
     root, ratio = cmath.sqrt(squared - beta**2), speed / (squared * place + beta * speed)
-    return (cmath.atan(root * ratio) / root).real if abs(root) > _NO_ROOT else ratio
+    return (cmath.atan(root * ratio) / root).real if root else ratio
 
 
 @functools.cache
@@ -98,20 +87,6 @@ def settling(
     return high
 
 
-def stepped_swing(stiffness: float, damping: float, mass: float, timestep: float) -> tuple[float, float]:
-    """Angular frequency, rad/s, and rate of decay, 1/s, of an underdamped oscillator in steps of semi-implicit Euler.
-
-    A step gives v⁺ = (1 − γ) v − ω² dt x and x⁺ = x + dt v⁺, with γ = c dt/m. Three places in a row therefore obey
-    x⁺⁺ − (2 − γ − ω² dt²) x⁺ + (1 − γ) x = 0. With x_n = ρⁿ e^(iθn) this says ρ² = 1 − γ and
-    2 ρ cos θ = 2 − γ − ω² dt². Without a damper cos θ = 1 − ω² dt²/2 and nothing decays.
-    """
-    lost, squared = damping * timestep / mass, stiffness / mass * timestep**2
-    kept = math.sqrt(1 - lost)
-    return math.acos((2 - lost - squared) / (2 * kept)) / timestep, -math.log(kept) / timestep
-
-
-_NO_ROOT = 1e-6
-"""Root of ω² − β², rad/s, below which sin(s t)/s is t to rounding."""
 _GRID = 4096
 """Points at which an oscillator is looked at before the last crossing is halved."""
 
@@ -127,17 +102,6 @@ def relaxation(mass: float, radius: float, viscosity: float) -> float:
 def stokes_fall(mass: float, displaced: float, radius: float, viscosity: float, gravity: float) -> float:
     """Speed at which weight less buoyancy is what drag takes, m/s, down: (m − m_f) g = 6πηr v."""
     return (mass - displaced) * gravity / (6 * math.pi * viscosity * radius)
-
-
-def stepped_drag(relaxation_time: float, timestep: float, steps: int) -> tuple[float, float]:
-    """What semi-implicit Euler makes of the last speed after so many steps, and of the way, per unit of the last speed.
-
-    Each step keeps the share q = 1 − dt/τ of what is missing, so that the speed is 1 − qⁿ. The way is dt times the sum
-    of the speeds after each step, n dt − dt q (1 − qⁿ)/(1 − q) = t − τ q (1 − qⁿ).
-    """
-    kept = 1 - timestep / relaxation_time
-    gathered = 1 - kept**steps
-    return gathered, steps * timestep - relaxation_time * kept * gathered
 
 
 # Orbits: r″ = −μ r/r³ with μ = G (m_A + m_B), r from one body to the other
@@ -183,10 +147,14 @@ def stepped_steady_swing(
 ) -> tuple[float, float]:
     """The same of semi-implicit Euler.
 
-    Three places in a row obey x⁺⁺ − (2 − γ − ω² dt²) x⁺ + (1 − γ) x = F⁺ dt²/m, as in `stepped_swing`, with F⁺ of the
-    middle one. With x_n = Re(Z zⁿ) and z = e^(iΩdt) this gives Z = (F dt²/m)/(z − (2 − γ − ω² dt²) + (1 − γ)/z).
+    A step gives v⁺ = (1 − γ) v + dt (F/m − ω² x) and x⁺ = x + dt v⁺, with γ = c dt/m. Three places in a row therefore
+    obey x⁺⁺ − (2 − γ − ω² dt²) x⁺ + (1 − γ) x = F⁺ dt²/m, with F⁺ of the middle one. With x_n = Re(Z zⁿ) and z =
+    e^(iΩdt) this gives Z = (F dt²/m)/(z − (2 − γ − ω² dt²) + (1 − γ)/z). In short steps z + 1/z − 2 = −4 sin²(Ωdt/2)
+    and 1 − 1/z = 2i sin(Ωdt/2) e^(−iΩdt/2) keep their digits.
     """
     lost, squared = damping * timestep / mass, stiffness / mass * timestep**2
-    turn = cmath.exp(1j * frequency * timestep)
-    response = force * timestep**2 / mass / (turn - (2 - lost - squared) + (1 - lost) / turn)
+    half = frequency * timestep / 2
+    sine = math.sin(half)
+    resistance = squared - 4 * sine**2 + 2j * lost * sine * cmath.exp(-1j * half)
+    response = force * timestep**2 / mass / resistance
     return abs(response), -cmath.phase(response)

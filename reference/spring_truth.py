@@ -12,10 +12,11 @@ instants are roots of these: the deepest one, x′ = 0, and the last one, a = 0.
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+
+from reference import forces_truth
 
 
 @dataclass(frozen=True)
@@ -70,17 +71,10 @@ class SpringContact:
         return 0.5 / math.sqrt(self.stiffness)
 
     def _state(self, time: float) -> tuple[float, float]:
-        """Height and velocity at a time.
-
-        y = c₁ exp(λ₁ t) + c₂ exp(λ₂ t) with λ = −ω (ζ ± √(ζ² − 1)), complex where ζ < 1, and not at ζ = 1.
-        """
-        omega, zeta = math.sqrt(self.stiffness), self.damping_ratio
-        root = cmath.sqrt(zeta**2 - 1)
-        first, second = -omega * (zeta + root), -omega * (zeta - root)
-        place, rate = self.rest_depth, -self.speed
-        share = (rate - second * place) / (first - second)
-        one, other = share * cmath.exp(first * time), (place - share) * cmath.exp(second * time)
-        return (one + other).real - self.rest_depth, (first * one + second * other).real
+        """Height and velocity at a time."""
+        damping = 2 * self.damping_ratio * math.sqrt(self.stiffness)
+        place, rate = forces_truth.swing(self.rest_depth, -self.speed, self.stiffness, damping, 1.0, time)
+        return place - self.rest_depth, rate
 
 
 def _root(function: Callable[[float], float], step: float, start: float = 0.0) -> float:

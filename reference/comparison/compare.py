@@ -27,6 +27,7 @@ from reference.errors import (
 )
 from reference.prediction.predicted import Prediction
 from reference.scene.settings import Settings
+from reference.scene.step_limit import step_limit
 from reference.scene.trajectory import Trajectory, held
 
 _OUT_OF_RANGE = functools.partial(np.errstate, over="ignore", invalid="ignore")
@@ -55,8 +56,19 @@ def compare_case(
         numbers = {quantity.name: measured(quantity, trajectories, engine) for quantity in family.quantities}
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
         blank = Row(family.name, case.name, engine.name, profile, "", "", verdict_of(error))
-        return [replace(blank, note=str(error), settings=settings.describe())], []
+        note = str(error) + (_too_long(case, settings) if isinstance(error, RunFailed) else "")
+        return [replace(blank, note=note, settings=settings.describe())], []
     return judged(family, case, engine.name, profile, settings, method, numbers, with_evidence=True), trajectories
+
+
+def _too_long(case: Case, settings: Settings) -> str:
+    """What to add to a failed run if its timestep is too long for the forces of a scenario; empty if it is not."""
+    limit = min(step_limit(scenario) for scenario in case.scenarios)
+    if settings.timestep <= limit:
+        return ""
+    return (
+        f"; its springs, dampers or drag need a timestep below {limit:.3g} s, and here it is {settings.timestep:.3g} s"
+    )
 
 
 @dataclass(frozen=True)

@@ -96,6 +96,11 @@ class Steering:
             for name, value in told.items()
         )
         object.__setattr__(self, "parameters", known)
+        if (horizon := dict(known).get("horizon", math.inf)) < self.interval:
+            raise InvalidInput(
+                f"{self.rule}: horizon is {horizon:g} s; it must be no shorter than the interval, {self.interval:g} s,"
+                " in which each body keeps its velocity"
+            )
         if self.obstacles and self.rule not in AROUND:
             raise InvalidInput(f"{self.rule} heeds no obstacles, and has {self.obstacles}; {', '.join(AROUND)} do")
 

@@ -15,7 +15,7 @@ from solutions.avoidance.cones import orca_half_plane
 from solutions.avoidance.directions import in_plane
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.checks import not_negative, whole
+from solutions.checks import not_negative, positive, whole
 from solutions.scaling import length_of
 
 
@@ -43,6 +43,8 @@ def crowd_step(
     position, velocity, preferred : (n, 2), m, m/s, m/s
     radius, max_speed : (n,) or one for all, m, m/s, not negative
     horizon, dt : s, positive
+        The horizon is no shorter than the step, in which each disc keeps
+        its velocity.
     neighbour_distance : (n,) or one for all, m, not negative
         A disc heeds no other whose centre is farther from its own.
     max_neighbours : (n,) or one for all, a whole number or infinity, not
@@ -61,8 +63,9 @@ def crowd_step(
     ------
     ValueError
         If a radius, a speed or a limit of neighbours is negative, a number of
-        neighbours is not whole, a horizon or step is not positive, a position
-        is not finite, or the shapes do not fit.
+        neighbours is not whole, a horizon or step is not positive, the horizon
+        is shorter than the step, a position is not finite, or the shapes do
+        not fit.
 
     Notes
     -----
@@ -89,6 +92,11 @@ def crowd_step(
         ),
         len(p),
     )
+    if positive("horizon", horizon) < positive("dt", dt):
+        raise ValueError(
+            f"horizon must be no shorter than the step, {dt:g} s, not"
+            f" {horizon:g} s: discs could meet within the step"
+        )
     i, j = _who_may_meet(p, r, speed, horizon, sight)
     point, normal = orca_half_plane(
         p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt

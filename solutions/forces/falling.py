@@ -143,13 +143,25 @@ def drag_motion(
         v = v_t + (v0 − v_t) e^(−t/τ)
         p = p0 + v_t t + (v0 − v_t) τ (1 − e^(−t/τ))
 
-    From rest this is a fall with the velocity v_t (1 − e^(−t/τ)).
+    From rest this is a fall with the velocity v_t (1 − e^(−t/τ)). Where there is next
+    to no drag, v_t is as long as τ, and the two terms with v_t are nearly opposite.
+    Together they are v_t τ (x − 1 + e^(−x)) with x = t/τ, which is summed as a power
+    series where x is small.
     """
     p, v, last = vector("position", position), vector("velocity", velocity), vector("terminal", terminal)
     tau = finite("relaxation", positive("relaxation", relaxation))[..., None]
     time = np.asarray(dt, dtype=float)[..., None]
     lost = -np.expm1(-time / tau)
-    return p + last * time + (v - last) * tau * lost, v + (last - v) * lost
+    return p + v * tau * lost + last * tau * _falling_behind(time / tau), v + (last - v) * lost
+
+
+def _falling_behind(x: Array) -> Array:
+    """Return x − 1 + e^(−x), with all its digits."""
+    small = np.where(np.abs(x) < 0.5, x, 0.0)
+    series = np.zeros_like(small)
+    for k in range(16, 1, -1):
+        series = (1 - small * series) / k
+    return np.where(np.abs(x) < 0.5, small * small * series, x + np.expm1(-x))
 
 
 def terminal_velocity_corrected(

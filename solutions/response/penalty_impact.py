@@ -176,15 +176,16 @@ def _ratio_adhesive(restitution: Array) -> Array:
 def _ratio(restitution: Array) -> Array:
     """Damping ratio ζ whose impact leaves e, by halving an interval.
 
-    The interval is from 0 to 1/√e. At its upper end an impact leaves less
-    than e.
+    With L = −ln e, ζ is L over the angle of `_swept_angle`. This angle is at most π,
+    and at least 2 up to ζ = 1, that is up to L = 2. So ζ is between L/π and L/2; for a
+    larger L it is below 1/√e.
     """
     some = np.where(restitution > 0, restitution, 1.0)
-    low, high = np.zeros_like(some), 1 / np.sqrt(some)
+    loss = np.abs(np.log(some))
+    low, high = loss / np.pi, np.where(loss <= 2, loss / 2, 1 / np.sqrt(some))
     for _ in range(60):
         middle = (low + high) / 2
-        too_lively = np.exp(-middle * _swept_angle(middle)) > restitution
+        too_lively = middle * _swept_angle(middle) < loss
         low = np.where(too_lively, middle, low)
         high = np.where(too_lively, high, middle)
-    ratio = np.where(restitution < 1, (low + high) / 2, 0.0)
-    return np.where(restitution > 0, ratio, np.inf)
+    return np.where(restitution > 0, (low + high) / 2, np.inf)

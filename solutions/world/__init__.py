@@ -9,6 +9,7 @@ from solutions.world.bodies import (
 )
 from solutions.world.broad_phase import pairs_in_grid
 from solutions.world.complementarity import (
+    NotConverged,
     complementarity_residual,
     solve_by_pivots,
     solve_by_sweeps,
@@ -48,6 +49,7 @@ __all__ = [
     "Bodies",
     "Contacts",
     "Memory",
+    "NotConverged",
     "Rules",
     "State",
     "Surfaces",

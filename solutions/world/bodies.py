@@ -20,8 +20,12 @@ from solutions.checks import (
     vector,
     whole,
 )
+from solutions.world.mass import mass_properties
 from solutions.world.pieces import Pieces, pieces_of
 from solutions.world.shapes import HALF_SPACE, Shape
+
+ROUNDING = 1e-6
+"""Share up to which moments and a centre of mass may be off, as in single precision."""
 
 
 class Surfaces(NamedTuple):
@@ -117,7 +121,8 @@ def make_bodies(
         1, a friction is negative or infinite, static friction is below kinetic
         friction, a table is not symmetric, a material or a group is not a whole number,
         a half-space has a finite mass, there is no such shape, or the shapes of the
-        arrays do not fit.
+        arrays do not fit. If a moment exceeds the sum of the two others, or the centre
+        of mass of a polyhedron that can be moved is not its origin.
     """
     count = len(shapes)
     masses = of_shape("mass", positive("mass", mass), (count,))
@@ -127,6 +132,7 @@ def make_bodies(
         (count, 3),
     )
     about = np.where(np.isinf(masses)[:, None], np.inf, about)
+    _refuse_impossible(about)
     kinds, groups = (
         of_shape(name, finite(name, whole(name, numbers)), (count,)).astype(
             np.int64
@@ -165,9 +171,41 @@ def make_bodies(
             "a half-space must have an infinite mass, not"
             f" {masses[pieces.body][movable][0]:g} kg"
         )
+    for number in np.flatnonzero(np.isfinite(masses)):
+        _refuse_off_centre(number, shapes[number])
     inverse = np.where(np.isinf(masses), 0.0, 1 / masses)
     surfaces = Surfaces(bounce, static, kinetic, meet.astype(bool))
     return Bodies(inverse, about, kinds, groups, surfaces, pieces)
+
+
+def _refuse_impossible(moments: Array) -> None:
+    """Refuse moments (n, 3) of which one exceeds the sum of the two others.
+
+    I_x + I_y − I_z is 2 ∫ z² dm, which no distribution of mass makes negative. About an
+    axis with an infinite moment something else holds the body.
+    """
+    total, largest = np.sum(moments, axis=-1), np.max(moments, axis=-1)
+    wrong = np.isfinite(total) & (2 * largest > total * (1 + ROUNDING))
+    if np.any(wrong):
+        found = ", ".join(f"{each:g}" for each in moments[wrong][0])
+        raise ValueError(
+            f"moments must not exceed the sum of the two others, as in {found}"
+            f" of body {np.flatnonzero(wrong)[0]}"
+        )
+
+
+def _refuse_off_centre(number: int, shape: Shape) -> None:
+    """Refuse a polyhedron that turns about another point than its centre of mass."""
+    if shape[0] != "polyhedron":
+        return
+    centre, moments, _ = mass_properties(shape, 1.0)
+    if np.linalg.norm(centre) > ROUNDING * np.sqrt(np.max(moments)):
+        found = ", ".join(f"{each:.6g}" for each in centre)
+        raise ValueError(
+            f"the polyhedron of body {number} must have its centre of mass at"
+            f" its origin, not at {found}: `in_principal_axes` moves it there;"
+            " one that is not filled evenly can be the part of a compound"
+        )
 
 
 def _table(name: str, values: ArrayLike, count: int) -> Array:
@@ -175,6 +213,14 @@ def _table(name: str, values: ArrayLike, count: int) -> Array:
     table = of_shape(
         name, finite(name, not_negative(name, values)), (count, count)
     )
+    if np.any(table != table.T) and np.ndim(values) == 1:
+        raise ValueError(
+            f"{name} must be one number, or a table (k, k) of each two"
+            f" materials, not {np.shape(values)}: two bodies that meet have one"
+            " in common. For one e of each body give each a material,"
+            f" material=range({len(table)}), and as the table for instance"
+            " np.sqrt(np.outer(e, e))"
+        )
     if np.any(table != table.T):
         a, b = np.argwhere(table != table.T)[0]
         found = f"{table[a, b]:g} and {table[b, a]:g} for {a} and {b}"

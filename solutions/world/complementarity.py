@@ -5,6 +5,9 @@ The problem is to find f with A f + b ≥ 0, f ≥ 0 and f·(A f + b) = 0.
 
 from __future__ import annotations
 
+import math
+import warnings
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -16,12 +19,33 @@ NEGLIGIBLE = 1e-10
 
 Rounding grows in the exchanges.
 """
-PULLED = 1e-7
-"""Share of the largest number by which rounding may leave A f + b below zero."""
-LEAST_PIVOT = 1e-8
-"""The smallest pivot of a careful attempt. A smaller one multiplies rounding."""
-EXCHANGES = 20
+LEAST_PIVOTS = (1e-8, 1e-11, 1e-14)
+"""The smallest pivots of careful attempts, one after another.
+
+A smaller one multiplies rounding. But where masses differ by 1e10, a pivot of 1e-10 is
+no rounding.
+"""
+SOLVED, NEARLY = 1e-10, 1e-7
+"""Shares of its terms by which rounding may change a row of A f + b.
+
+With the first no further attempt is made; with the second the best attempt is taken.
+"""
+CONVERGED = 1e-6
+"""Share of the largest |b_i| that is left where sweeps have converged."""
+SMALL = 1e-6
+"""Share of the largest force below which a force may be rounding."""
+UNMET = 0.05
+"""Share of the largest |b_i| by which A f + b may miss what it has to be.
+
+Rounding of A and huge forces solve even a problem that has no solution, but for rows
+that they miss by about b itself.
+"""
+EXCHANGES, CAREFUL_EXCHANGES = 20, 5
 """How many exchanges for each row an attempt may take. It usually takes about one."""
+
+
+class NotConverged(UserWarning):
+    """The sweeps have ended before the forces were found."""
 
 
 def complementarity_residual(
@@ -98,6 +122,11 @@ def solve_by_sweeps(
         If the shapes do not fit, a number is not finite, or an A_ii is
         negative.
 
+    Warns
+    -----
+    NotConverged
+        Where the `complementarity_residual` is above 1e-6 of the largest |b_i|.
+
     Notes
     -----
     The sweep takes one contact after another and holds all other forces fixed.
@@ -124,7 +153,22 @@ def solve_by_sweeps(
         for i in range(f.shape[-1]):
             gap = np.vecdot(a[..., i, :], f) + b[..., i]
             f[..., i] = np.maximum(0.0, f[..., i] - gap / divisor[..., i])
+    _say_what_is_left(complementarity_residual(a, b, f), b, sweeps)
     return f
+
+
+def _say_what_is_left(residual: Array, offset: Array, sweeps: int) -> None:
+    """Warn where the sweeps have left more than rounding of some problem."""
+    size = np.max(np.abs(offset), axis=-1, initial=0.0)
+    wrong = residual > CONVERGED * size
+    if np.any(wrong):
+        worst = np.max(np.where(wrong, residual, 0.0))
+        warnings.warn(
+            f"{sweeps} sweeps have not converged: the accelerations are wrong by up to"
+            f" {worst:.2g} m/s² (complementarity_residual)",
+            NotConverged,
+            stacklevel=3,
+        )
 
 
 def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
@@ -147,10 +191,7 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
     ValueError
         If the shapes do not fit, a number is not finite, or an A_ii is
         negative. If there are no such forces, as for contacts that are forced
-        into one another. Rounding hides the forces as well where one body is
-        some 1e9 times as heavy as another, because the method divides A by its
-        largest number. Where bodies press on each other, 1e6 times is too
-        much.
+        into one another.
 
     Notes
     -----
@@ -163,9 +204,14 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
 
     Rounding gathers in the table. Where two contacts are nearly the same, an
     exchange may then divide by what is rounding alone, and the result is no
-    solution. So the result is checked. If it fails, a second attempt
-    calculates the table from the first one after every exchange, and breaks
-    ties by the largest pivot.
+    solution. So the result is checked. If it fails, further attempts follow.
+    They measure each force in a unit of its own, in which the numbers of A are
+    of one size, also where one body is 1e12 times as heavy as another. The
+    careful ones calculate the table from the first one after every exchange,
+    and break ties by the largest pivot.
+
+    No method is more precise than A. Next to a body of 1 kg, one of 1e10 kg
+    changes A_ii by a share of 1e-10, of which a float keeps six digits.
     """
     a, b = _checked(matrix, offset)
     return np.asarray(
@@ -174,48 +220,85 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
 
 
 def _lemke(a: Array, b: Array) -> Array:
-    """Solve one problem; with more care if rounding has spoiled the first attempt."""
+    """Solve one problem; with more care where rounding has spoiled an attempt."""
     if np.all(b >= 0):
         return np.zeros(len(b))
-    scale, size = np.max(np.abs(a), initial=0.0) or 1.0, np.max(np.abs(b))
-    try:
-        forces = _exchanged(a / scale, b / size, careful=False)
-        solved = _solves(forces, a / scale, b / size)
-    except ValueError:
-        solved = False
-    if not solved:
-        forces = _exchanged(a / scale, b / size, careful=True)
-        if not _solves(forces, a / scale, b / size):
-            raise ValueError(
-                "matrix: rounding hides the forces, because its numbers"
-                " differ too much in size"
-            )
-    return np.asarray(forces * size / scale)
-
-
-def _solves(forces: Array, a: Array, b: Array) -> bool:
-    """Whether A f + b ≥ 0, as it should be; f ≥ 0 holds, and one of each pair is 0."""
-    return bool(
-        np.all(a @ forces + b >= -PULLED * np.max(forces, initial=1.0))
+    best, forces, refused = math.inf, b, None
+    plain, even = np.ones(len(b)), _evened(a)
+    attempts = [(plain, None), (even, None)]
+    attempts += [(even, least) for least in LEAST_PIVOTS]
+    for unit, least in attempts:
+        scaled, right = a * np.outer(unit, unit), b * unit
+        scale, size = np.max(np.abs(scaled)) or 1.0, np.max(np.abs(right))
+        try:
+            found = _exchanged(scaled / scale, right / size, least)
+            found = unit * (found * size / scale)
+        except ValueError as error:
+            refused = refused or error
+            continue
+        missed = _missed(a, b, found, even)
+        if missed < best:
+            best, forces = missed, found
+        if best <= SOLVED:
+            break
+    if best <= NEARLY:
+        return forces
+    raise refused or ValueError(
+        "matrix: rounding hides the forces, because its numbers differ too"
+        " much in size"
     )
 
 
-def _exchanged(a: Array, b: Array, careful: bool) -> Array:
+def _evened(a: Array) -> Array:
+    """Units (m,) in which the largest number of each row and column is near 1.
+
+    The same units for rows and columns leave the problem as it is: f_i is over the
+    unit, (A f + b)_i times the unit, and A keeps the signs of its eigenvalues. They are
+    powers of two, so that no digit changes (Ruiz 2001).
+    """
+    unit = np.ones(len(a))
+    for _ in range(5):
+        now = np.abs(a) * np.outer(unit, unit)
+        largest = np.maximum(np.max(now, axis=0), np.max(now, axis=1))
+        root = np.sqrt(np.where(largest > 0, largest, 1.0))
+        unit /= np.exp2(np.round(np.log2(root)))
+    return unit
+
+
+def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
+    """By how much forces f ≥ 0 miss a solution, as a share of the terms of a row.
+
+    A row may not be below zero, nor above zero where there is a force. Forces that are
+    small beside the others count as larger, because they may be rounding of these.
+    """
+    row = a @ forces + b
+    wrong = np.where(forces > 0, np.abs(row), -row)
+    if np.max(wrong) > UNMET * np.max(np.abs(b)):
+        return math.inf
+    even = forces / unit
+    even = unit * np.maximum(even, SMALL * np.max(even))
+    terms = np.abs(a) @ even + np.abs(b)
+    return float(np.max(wrong / np.where(terms > 0, terms, 1.0)))
+
+
+def _exchanged(a: Array, b: Array, least: float | None) -> Array:
     """Forces from exchanges in a table of the columns w, f, z and the right-hand side.
 
-    A careful attempt takes longer; see `solve_by_pivots`.
+    With a least pivot the attempt is a careful one, which takes longer; see
+    `solve_by_pivots`.
     """
     count = len(b)
     start = np.hstack([np.eye(count), -a, -np.ones((count, 1)), b[:, None]])
     table, basis = start.copy(), np.arange(count)
     row, entering = int(np.argmin(b)), 2 * count
-    for _ in range(EXCHANGES * (count + 1)):
+    most = CAREFUL_EXCHANGES if least else EXCHANGES
+    for _ in range(most * (count + 1)):
         _exchange(table, row, entering)
         leaving, basis[row] = basis[row], entering
-        if careful:
+        if least:
             table = np.linalg.solve(start[:, basis], start)
         # Either z has left the basis, or it stays there at zero.
-        if not np.any(table[basis == 2 * count, -1] > NEGLIGIBLE):
+        if not np.any(table[basis == 2 * count, -1] > (least or NEGLIGIBLE)):
             forces = np.zeros(2 * count + 1)
             # Solved again from the start, because the table has gathered
             # rounding.
@@ -223,8 +306,8 @@ def _exchanged(a: Array, b: Array, careful: bool) -> Array:
             return np.maximum(0.0, forces[count:-1])
         entering = leaving + count if leaving < count else leaving - count
         row = (
-            _largest_pivot(table, entering, basis == 2 * count)
-            if careful
+            _largest_pivot(table, entering, basis == 2 * count, least)
+            if least
             else _leaving_row(table, entering)
         )
     raise ValueError(
@@ -251,13 +334,15 @@ def _leaving_row(table: Array, entering: int) -> int:
     return int(rows[0])
 
 
-def _largest_pivot(table: Array, entering: int, is_z: Booleans) -> int:
+def _largest_pivot(
+    table: Array, entering: int, is_z: Booleans, least: float
+) -> int:
     """Of the rows that reach zero first, to rounding, that with the largest pivot.
 
     The row of z goes before all others, because it ends the search (Harris
     1973).
     """
-    rows = _falling_rows(table, entering, LEAST_PIVOT)
+    rows = _falling_rows(table, entering, least)
     pivots, left = table[rows, entering], np.maximum(table[rows, -1], 0.0)
     first = left / pivots <= np.min((left + NEGLIGIBLE) / pivots)
     return int(

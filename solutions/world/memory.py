@@ -25,7 +25,7 @@ class Memory(NamedTuple):
     unsettled : for how many steps more the impulses are looked for with more sweeps
         Bodies may rest on each other when nothing is known of their contacts yet. The
         usual sweeps would then need many steps to find what carries a tower, and until
-        then it has fallen.
+        then it has fallen. It is 0 after an impact.
     """
 
     key: Integers

@@ -35,7 +35,7 @@ class Question(NamedTuple):
     wanted : what Newton's law wants
     restitution : (m,), e
     start : (m, 3), what the last step left, N s
-    unsettled : whether more sweeps are needed, as at the beginning of a run
+    unsettled : whether a run begins with bodies at rest, so that more sweeps are needed
     dt : s
     rules : how to respond
     """

@@ -38,7 +38,7 @@ class Rules(NamedTuple):
     recovery : share of a deeper overlap that each step moves away, 0 to 1
     sweeps : how often all contacts take their turn in a step, at most
         In the first five steps of a run up to 500 may follow, but no more than ten
-        times as many, because no impulses are known to begin with.
+        times as many, because of what rests no impulses are known to begin with.
     tolerance : share of the largest impulse; smaller changes end the sweeps
     push_sweeps : how often they do so to move overlaps away
     response : 'sequential', 'simultaneous', 'penalty' or 'in time order'

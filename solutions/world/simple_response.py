@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
 from solutions.arrays import Array, Integers
 from solutions.friction import dissipative_impulse, point_inverse_mass
 from solutions.impulse import Body, point_velocity, relative_velocity
-from solutions.world.complementarity import solve_by_sweeps
+from solutions.world.complementarity import NotConverged, solve_by_sweeps
 from solutions.world.resting import (
     contact_jacobian,
     inverse_mass_matrix,
@@ -229,9 +231,12 @@ def respond(
     matrix, gained = resting_problem(normals, share, load.ravel())
     parting = normals @ motion.ravel()
     least = np.where(collided, np.maximum(parting, 0.0), within_step)
-    pressed = solve_by_sweeps(
-        matrix, parting + dt * gained - least, sweeps, start[:, 0]
-    )
+    with warnings.catch_warnings():
+        # The next step continues from the impulses that these sweeps leave.
+        warnings.simplefilter("ignore", NotConverged)
+        pressed = solve_by_sweeps(
+            matrix, parting + dt * gained - least, sweeps, start[:, 0]
+        )
     loaded = motion.ravel() + dt * share @ load.ravel()
     ended, impulse = (
         loaded + share @ normals.T @ pressed,

@@ -103,6 +103,8 @@ def advance_world(
         # last step.
         before = speeds(rows, state.velocity, state.angular_velocity)
         start = remembered(memory, contacts, rows)
+        strikes = np.any(before[:, 0] < -rules.rest_speed)
+        unsettled = 0 if strikes else memory.unsettled
         after_velocity, after_spin, impulse = RESPONSES[rules.response](
             Question(
                 contacts,
@@ -114,7 +116,7 @@ def advance_world(
                 wanted,
                 restitution,
                 start,
-                memory.unsettled > 0,
+                unsettled > 0,
                 dt,
                 rules,
             )
@@ -141,7 +143,7 @@ def advance_world(
         Memory(
             contacts.key,
             np.vecmat(impulse, rows.direction),
-            unsettled=max(memory.unsettled - 1, 0),
+            unsettled=max(unsettled - 1, 0),
         ),
         contacts,
     )

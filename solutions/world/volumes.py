@@ -8,9 +8,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array
+from solutions.arrays import Array, Integers
 from solutions.checks import finite, not_negative, positive
-from solutions.polyhedra.surface import checked_mesh
+from solutions.polyhedra.surface import (
+    checked_mesh,
+    directed_edges,
+    same_places,
+)
 from solutions.world.shapes import Shape
 
 
@@ -80,7 +84,9 @@ def tetrahedra(
     Raises
     ------
     ValueError
-        If vertices are not finite or do not fit the faces, or the faces look inwards.
+        If vertices are not finite or do not fit the faces, or the faces look inwards,
+        or they do not close or not all look the same way: along each edge as many of
+        them must run one way as the other.
 
     Notes
     -----
@@ -93,12 +99,32 @@ def tetrahedra(
         for side in itertools.pairwise(face[1:])
     ]
     v, f = checked_mesh(vertices, triangles)
+    _refuse_open(v, f)
     middle = v.mean(axis=0)
     corners = (v - middle)[f]
     a, b, c = np.moveaxis(corners, 1, 0)
     volumes = np.vecdot(a, np.cross(b, c)) / 6
     positive("volume inside the faces", volumes.sum())
     return volumes, corners, middle
+
+
+def _refuse_open(vertices: Array, faces: Integers) -> None:
+    """Refuse faces with an edge along which more of them run one way than the other.
+
+    The sums over tetrahedra would depend on where their tip is.
+    """
+    along = directed_edges(same_places(vertices, faces))
+    _, which = np.unique(np.sort(along, axis=1), axis=0, return_inverse=True)
+    ways = np.bincount(which.reshape(-1), np.sign(along[:, 1] - along[:, 0]))
+    if np.any(ways):
+        named = directed_edges(faces)[
+            np.flatnonzero(ways[which.reshape(-1)])[0]
+        ]
+        raise ValueError(
+            "faces must close, and all be counterclockwise from outside; at"
+            f" the edge of the vertices {named[0]} and {named[1]} one is"
+            " missing or turned over"
+        )
 
 
 def length(name: str, value: float) -> float:

@@ -23,21 +23,6 @@ def test_a_thrown_body_is_back_at_its_height_where_dense_samples_have_it():
     assert forces_truth.apex_height(VELOCITY, PULL) == pytest.approx(places[top, 2], abs=1e-8)
 
 
-def test_steps_of_semi_implicit_euler_lie_on_the_parabola_of_another_launch():
-    dt, place, velocity, places = 0.01, np.zeros(3), VELOCITY.copy(), [np.zeros(3)]
-    for _ in range(200):
-        velocity = velocity + PULL * dt
-        place = place + velocity * dt
-        places.append(place)
-    launch, times = forces_truth.stepped_throw(VELOCITY, PULL, dt), dt * np.arange(201)[:, None]
-    np.testing.assert_allclose(places, launch * times + PULL * times**2 / 2, atol=1e-13)
-    flight = forces_truth.flight_time(VELOCITY, PULL)
-    assert forces_truth.flight_time(launch, PULL) == pytest.approx(flight - dt, abs=1e-14)
-    np.testing.assert_allclose(
-        forces_truth.landing(launch, PULL), (1 - dt / flight) * forces_truth.landing(VELOCITY, PULL), atol=1e-13
-    )
-
-
 @pytest.mark.parametrize("damping", [0.0, 1.2, 12.8, 12.8 * (1 + 1e-13), 40.0])
 def test_a_swing_is_the_exponential_of_its_matrix_in_every_regime(damping):
     linalg = oracle("scipy.linalg")
@@ -61,22 +46,6 @@ def test_a_swing_that_has_settled_stays_within_its_limit(damping):
     assert max(later) < 0.006
 
 
-def test_steps_swing_with_the_angle_and_the_decay_of_the_recurrence():
-    mass, stiffness, damping, dt = 0.64, 64.0, 3.84, 2e-3
-    place, speed, places = 0.12, 1.0, []
-    for _ in range(1000):
-        places.append(place)
-        speed += dt * (-stiffness * place - damping * speed) / mass
-        place += dt * speed
-    frequency, decay = forces_truth.stepped_swing(stiffness, damping, mass, dt)
-    times = dt * np.arange(1000)
-    waves = np.exp(-decay * times)[:, None] * np.stack([np.cos(frequency * times), np.sin(frequency * times)], axis=1)
-    fitted, *_ = np.linalg.lstsq(waves, np.array(places), rcond=None)
-    np.testing.assert_allclose(waves @ fitted, places, atol=1e-14)
-    without, still = forces_truth.stepped_swing(stiffness, 0.0, mass, dt)
-    assert (np.cos(without * dt), still) == (pytest.approx(1 - 100.0 * dt**2 / 2, abs=1e-15), 0)
-
-
 def test_a_ball_in_a_fluid_gathers_the_last_speed_that_its_equation_has():
     integrate = oracle("scipy.integrate")
     mass, displaced, radius, viscosity = 4.3, 3.0, 0.08, 200.0
@@ -89,14 +58,6 @@ def test_a_ball_in_a_fluid_gathers_the_last_speed_that_its_equation_has():
     tau = forces_truth.relaxation(mass, radius, viscosity)
     missing = integrate.solve_ivp(lambda _, v: -drag * v / mass, (0, tau), [1.0], rtol=1e-11, atol=1e-13).y[0, -1]
     assert missing == pytest.approx(np.exp(-1), rel=1e-9)
-
-
-def test_steps_of_drag_add_up_to_their_closed_form():
-    tau, dt, speed, way = 0.014, 0.003, 0.0, 0.0
-    for _ in range(25):
-        speed += dt * (1 - speed) / tau
-        way += dt * speed
-    assert forces_truth.stepped_drag(tau, dt, 25) == pytest.approx((speed, way), rel=1e-13)
 
 
 def test_a_body_on_its_orbit_obeys_newtons_law_and_comes_back_after_a_period():
@@ -133,7 +94,9 @@ def test_steps_end_in_the_steady_swing_of_their_recurrence(frequency):
     late = np.arange(3000, 4000)
     np.testing.assert_allclose(places[3000:], amplitude * np.cos(frequency * dt * late - lag), atol=1e-13)
     exact = forces_truth.steady_swing(stiffness, damping, mass, force, frequency)
-    tiny = forces_truth.stepped_steady_swing(stiffness, damping, mass, force, frequency, 1e-6)
-    assert tiny == pytest.approx(exact, rel=1e-4)
+    tiny = forces_truth.stepped_steady_swing(stiffness, damping, mass, force, frequency, 1e-7)
+    # The damper feels the speed of half a step ago. The next terms are some (Ω dt)², 1e-12
+    late = force / (stiffness - mass * frequency**2 + 1j * damping * frequency * np.exp(-0.5j * frequency * 1e-7))
+    assert tiny == pytest.approx((abs(late), -np.angle(late)), rel=1e-11)
     along, across = stiffness - mass * frequency**2, damping * frequency
     assert exact == pytest.approx((force / np.hypot(along, across), np.arctan2(across, along)))

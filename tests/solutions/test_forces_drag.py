@@ -503,3 +503,22 @@ def test_many_bodies_in_a_fluid_at_once_are_as_one_after_another():
             for several, single in pairs:
                 # Sums over the last axis may be grouped differently in a batch
                 assert several[at] == pytest.approx(np.asarray(single), rel=1e-13, abs=1e-15)
+
+
+def test_a_fall_with_next_to_no_drag_is_the_free_fall_less_a_little():
+    # The first two terms of the series in x = t/τ: p = v0 t + g t²/2 − (v0 t²/2 + g t³/6)/τ; the next is x²/12 of it
+    start, gravity, time = np.array([1.0, -2.0, 3.0]), np.array([0.5, 0.0, -9.81]), np.array([[1e-4], [0.7], [3.0]])
+    for tau in (1e8, 1e11, 1e14):
+        place, velocity = drag_motion(np.zeros(3), start, gravity * tau, tau, time[:, 0])
+        slowed = (start * time**2 / 2 + gravity * time**3 / 6) / tau
+        # Roundings of v0 t and g t²/2, and x² is 1e-15 at most
+        np.testing.assert_allclose(place, start * time + gravity * time**2 / 2 - slowed, rtol=1e-14)
+        np.testing.assert_allclose(
+            velocity, start + gravity * time - (start * time + gravity * time**2 / 2) / tau, rtol=1e-14
+        )
+    # Where the series ends, at x = 1/2, both forms agree with an integral over short pieces
+    for x in (0.49999, 0.5, -0.4):
+        pieces = (np.arange(4000) + 0.5) / 4000 * x
+        integral = np.mean(1 - np.exp(-pieces)) * x
+        found, _ = drag_motion(np.zeros(3), np.zeros(3), np.array([0, 0, 1.0]), 1.0, x)
+        assert found[2] == pytest.approx(integral, rel=2e-8)  # (x/4000)²/24 and more

@@ -363,3 +363,14 @@ def test_penalty_functions_change_none_of_their_inputs():
         array.flags.writeable = False  # writing to one would raise
     everything(*scene)
     assert all(np.array_equal(array, copy) for array, copy in zip(scene, kept, strict=True))
+
+
+def test_the_damping_of_a_contact_that_loses_next_to_nothing_has_all_its_digits():
+    # ζ (π/2 − ζ) = L/2 for a small loss L = −ln e, so that ζ = L/π + 2 L²/π³, but for a share L²
+    loss = np.array([1e-6, 3e-9, 1e-13])
+    e = np.exp(-loss)
+    loss = -np.log(e)  # as the float has it
+    ratio = loss / np.pi + 2 * loss**2 / np.pi**3
+    found = penalty_damping(e, 1.3, 700.0)
+    np.testing.assert_allclose(found, 2 * ratio * np.sqrt(1.3 * 700.0), rtol=5e-12)
+    assert str(penalty_damping(1.0, 1.3, 700.0)) == "0.0"

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from solutions.world.bodies import make_bodies, make_state
+from solutions.world.mass import in_principal_axes
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
 from solutions.world.step import advance_world
@@ -37,11 +38,43 @@ def two(**others):
         ({"material": [0, 1, 0]}, r"material must have the shape \(2,\)"),
         ({"restitution": [[0.1, 0.9], [0.2, 0.3]]}, "either order, not 0.9 and 0.2 for 0 and 1"),
         ({"collide": [[True, False], [True, True]]}, "collide must be the same"),
+        (
+            {"restitution": [0.2, 0.9]},
+            r"one number, or a table .* not \(2,\): .* material=range\(2\), .*np.sqrt\(np.outer",
+        ),
+        ({"friction": [0.2, 0.9, 0.3], "material": [2, 0]}, r"friction must be one number, .* material=range\(3\)"),
     ],
 )
 def test_coefficients_that_no_pair_of_materials_has_are_refused(given, says):
     with pytest.raises(ValueError, match=says):
         two(**given)
+
+
+@pytest.mark.parametrize("moments", [(0.1, 0.2, 0.301), (0.9, 0.2, 0.2), (0.0, 1.0, 0.0), (1e-9, 3e-9, 1e-9)])
+def test_moments_that_no_body_can_have_are_refused(moments):
+    with pytest.raises(ValueError, match=r"moments must not exceed the sum of the two others, as in .* of body 1"):
+        make_bodies([("sphere", 0.1)] * 3, [1.0] * 3, [(0.3, 0.3, 0.3), moments, (0.2, 0.3, 0.4)])
+
+
+@pytest.mark.parametrize(
+    "moments", [(0.1, 0.2, 0.3), (1.0, 0.0, 1.0), (0.0, 0.0, 0.0), (INF, 0.1, 0.1), (0.1, 0.2, INF)]
+)
+def test_a_flat_plate_a_rod_a_point_and_a_body_on_an_axle_have_possible_moments(moments):
+    moments = np.array(moments, dtype=np.float32)  # rounded to seven digits
+    made = make_bodies([("sphere", 0.1)] * 2, [1.0, INF], [moments, (9.0, 1.0, 1.0)])
+    assert made.moments[0].tolist() == moments.tolist()
+
+
+def test_a_polyhedron_that_can_be_moved_is_told_about_its_centre_of_mass():
+    tetrahedron = ("polyhedron", CORNERS, OUTWARDS)
+    with pytest.raises(
+        ValueError, match=r"of body 1 must have its centre of mass at its origin, not at 0.2, 0.125, 0.1"
+    ):
+        make_bodies([FLOOR, tetrahedron], [INF, 1.0], np.ones((2, 3)))
+    shape, moments, *_ = in_principal_axes(tetrahedron, 1.0)
+    make_bodies([shape, tetrahedron], [1.0, INF], [moments, moments])
+    # One that is loaded at its tip, say, is a compound: where its centre of mass is nobody can tell from its shape
+    make_bodies([("compound", [(tetrahedron, (0, 0, -0.2), (1, 0, 0, 0))])], [1.0], [moments])
 
 
 def test_a_table_may_know_more_materials_than_the_bodies_use():

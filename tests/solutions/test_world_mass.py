@@ -276,3 +276,32 @@ def test_the_orientation_of_a_matrix_is_scipys_at_every_angle():
 def test_what_has_no_mass_properties_is_refused_by_name(shape, mass, match):
     with pytest.raises(ValueError, match=match):
         mass_properties(shape, mass)
+
+
+def damaged(faces, turned=(), missing=()):
+    """The faces with some turned over and some left out."""
+    return [face[::-1] if i in turned else face for i, face in enumerate(faces) if i not in missing]
+
+
+@pytest.mark.parametrize(
+    ("turned", "missing"), [((3,), ()), ((0, 1), ()), ((0, 4), ()), ((), (5,)), ((2,), (2, 3)), ((1,), (4,))]
+)
+def test_a_surface_that_is_open_or_looks_both_ways_is_refused(turned, missing):
+    for _, vertices, faces in (box_of_faces((1, 2, 3), TURNED, AWAY), hull()):
+        shape = ("polyhedron", vertices, damaged([tuple(face) for face in faces], turned, missing))
+        with pytest.raises(ValueError, match="faces must close, and all be counterclockwise"):
+            mass_properties(shape, 2.0)
+        with pytest.raises(ValueError, match="faces must close"):
+            volume(("compound", [(shape, AWAY, UPRIGHT)]))
+
+
+def test_a_surface_of_separate_triangles_and_one_that_touches_itself_are_solids():
+    _, vertices, faces = hull()
+    apart = ("polyhedron", vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
+    for one, other in zip(mass_properties(apart, 2.0), mass_properties(hull(), 2.0), strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-12)
+    # Two cubes side by side that share an edge, along which four faces meet
+    cubes = np.vstack([CUBE, CUBE + np.array([1, 1, 0])])
+    two = ("polyhedron", cubes, [*QUADS, *(tuple(8 + v for v in quad) for quad in QUADS)])
+    centre, *_ = mass_properties(two, 2.0)
+    np.testing.assert_allclose(centre, [1, 1, 0.5], atol=1e-14)
