@@ -175,9 +175,8 @@ def test_a_corner_that_slides_in_time_order_is_braked_against_its_slip():
     # Friction turns the body too, and changes how hard it presses; Coulomb's law holds between the two all the same
     corners = np.array([(-0.4, 0.0, -0.3), (0.4, 0.05, 0.3), (0.4, -0.05, 0.3), (0.35, 0.0, 0.35)])
     faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
-    bodies = make_bodies(
-        [("polyhedron", corners, faces), ("half-space", UP)], [2.0, np.inf], np.full(3, 1 / 6), 0.0, 0.3
-    )
+    loaded = ("compound", [(("polyhedron", corners, faces), (0, 0, 0), (1, 0, 0, 0))])
+    bodies = make_bodies([loaded, ("half-space", UP)], [2.0, np.inf], np.full(3, 1 / 6), 0.0, 0.3)
     state, dt = make_state([(0, 0, 0.3), (0, 0, 0)], velocity=[(2.0, 1.5, 0), (0, 0, 0)]), 1e-5
     after, *_ = advance_world(
         bodies, state, -9.81 * UP, dt, Rules(response="in time order", sweeps=500, tolerance=1e-13)
@@ -216,7 +215,8 @@ def test_a_spike_that_grazes_the_floor_once_in_a_turn_is_met():
     # At 0.8 rad/s its tip is below the floor for no more than 0.4 rad of the 6 rad of one step
     corners = np.array([(-0.5, 0, 0), (0.02, 0.02, 0), (0.02, -0.02, 0.02), (0.02, -0.02, -0.02)])
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
-    bodies = make_bodies([("polyhedron", corners, faces), ("half-space", UP)], [1.0, np.inf], np.full(3, 0.1), 1.0)
+    loaded = ("compound", [(("polyhedron", corners, faces), (0, 0, 0), (1, 0, 0, 0))])
+    bodies = make_bodies([loaded, ("half-space", UP)], [1.0, np.inf], np.full(3, 0.1), 1.0)
     state = make_state([(0, 0, 0.49), (0, 0, 0)], angular_velocity=[(0, 0.8, 0), (0, 0, 0)])
     after, *_ = advance_world(bodies, state, (0, 0, 0), 7.5, Rules(response="in time order", rest_speed=1e-3))
     arm = np.sqrt(0.5**2 - 0.49**2)

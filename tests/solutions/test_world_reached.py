@@ -56,11 +56,12 @@ def test_balls_leave_along_the_line_of_their_centres():
             assert np.linalg.norm(gained - impulse * line) < 2 * impulse * turn / abs(line[0]), (dt, offset)
 
 
+LOADED = ("compound", [(("polyhedron", WEDGE, WEDGE_FACES), (0, 0, 0), (1, 0, 0, 0))])
 SHAPES = {
     "sphere": (("sphere", 0.05), 0.05),
     "capsule": (("capsule", 0.05, 0.1), 0.15),
     "box": (("box", (0.05, 0.1, 0.03)), 0.03),
-    "polyhedron": (("polyhedron", WEDGE, WEDGE_FACES), 0.05),
+    "polyhedron": (LOADED, 0.05),
 }
 FLOORS = {
     "half-space": (("half-space", (0, 0, 1)), 0.0),
@@ -112,7 +113,7 @@ LEVEL = {
 SLIDERS = {
     "box": (("box", (0.1, 0.08, 0.05)), 0.05),
     "sphere": (("sphere", 0.06), 0.06),
-    "polyhedron": (("polyhedron", WEDGE, WEDGE_FACES), 0.05),
+    "polyhedron": (LOADED, 0.05),
     "lying capsule": (("compound", [(("capsule", 0.04, 0.1), (0, 0, 0), (0.5**0.5, 0.5**0.5, 0, 0))]), 0.04),
     "dumbbell": (("compound", [(("box", (0.03, 0.03, 0.03)), (x, 0, 0), (1, 0, 0, 0)) for x in (-0.03, 0.03)]), 0.03),
 }

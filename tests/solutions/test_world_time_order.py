@@ -37,7 +37,8 @@ def test_spike_that_turns_over_the_top_is_met_when_it_comes_down():
     # In one step it turns by 6 rad and would be clear of the floor before and after
     corners = np.array([(-0.5, 0, 0), (0.02, 0.02, 0), (0.02, -0.02, 0.02), (0.02, -0.02, -0.02)])
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
-    bodies = make_bodies([("polyhedron", corners, faces), FLOOR], [1.0, np.inf], [[0.1] * 3, [np.inf] * 3], 1.0)
+    loaded = ("compound", [(("polyhedron", corners, faces), (0, 0, 0), (1, 0, 0, 0))])
+    bodies = make_bodies([loaded, FLOOR], [1.0, np.inf], [[0.1] * 3, [np.inf] * 3], 1.0)
     state = make_state([(0, 0, 0.3), (0, 0, 0)], angular_velocity=[(0, 10.0, 0), (0, 0, 0)])
     after, _, _ = advance_world(bodies, state, (0, 0, 0), 0.6, Rules(response="in time order"))
     time = (np.pi + np.arcsin(0.6)) / 10  # 0.3 m down on the other side, at x = 0.4 m

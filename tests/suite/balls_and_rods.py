@@ -34,8 +34,9 @@ def rod(velocity, restitution, friction, spin=(0.0, 0.0, 0.0)):
     """A body of 1 kg with the moments of a rod of 1 m, whose lowest corner (−2/5, 0, −3/10) touches the floor."""
     corners = np.array([(-0.4, 0.0, -0.3), (0.4, 0.05, 0.3), (0.4, -0.05, 0.3), (0.35, 0.0, 0.35)])
     faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
+    loaded = ("compound", [(("polyhedron", corners, faces), (0, 0, 0), (1, 0, 0, 0))])
     moments = [[1 / 12] * 3, [np.inf] * 3]
-    bodies = make_bodies([("polyhedron", corners, faces), FLOOR], [1.0, np.inf], moments, restitution, friction)
+    bodies = make_bodies([loaded, FLOOR], [1.0, np.inf], moments, restitution, friction)
     at_rest = (0.0, 0.0, 0.0)
     return bodies, make_state([(0, 0, 0.3), at_rest], velocity=[velocity, at_rest], angular_velocity=[spin, at_rest])
 
