@@ -155,4 +155,4 @@ def _driven_from_rest(beta: Array, squared: Array, omega: Array, time: Array, co
         last = [sums[0] * last[0] - sums[1] * last[1] + sums[2] * last[2], *last[:2]]
         share /= k + 3
     resonant = np.abs(slow - 1j * omega) * time < 1
-    return np.where(little, time**2 * total, np.where(resonant, near, far))
+    return np.asarray(np.where(little, time**2 * total, np.where(resonant, near, far)))

@@ -171,8 +171,9 @@ def make_bodies(
             "a half-space must have an infinite mass, not"
             f" {masses[pieces.body][movable][0]:g} kg"
         )
-    for number in np.flatnonzero(np.isfinite(masses)):
-        _refuse_off_centre(number, shapes[number])
+    for number, shape in enumerate(shapes):
+        if np.isfinite(masses[number]):
+            _refuse_off_centre(number, shape)
     inverse = np.where(np.isinf(masses), 0.0, 1 / masses)
     surfaces = Surfaces(bounce, static, kinetic, meet.astype(bool))
     return Bodies(inverse, about, kinds, groups, surfaces, pieces)

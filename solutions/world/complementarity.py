@@ -225,9 +225,8 @@ def _lemke(a: Array, b: Array) -> Array:
         return np.zeros(len(b))
     best, forces, refused = math.inf, b, None
     plain, even = np.ones(len(b)), _evened(a)
-    attempts = [(plain, None), (even, None)]
-    attempts += [(even, least) for least in LEAST_PIVOTS]
-    for unit, least in attempts:
+    units = [plain, even, *[even] * len(LEAST_PIVOTS)]
+    for unit, least in zip(units, (None, None, *LEAST_PIVOTS), strict=True):
         scaled, right = a * np.outer(unit, unit), b * unit
         scale, size = np.max(np.abs(scaled)) or 1.0, np.max(np.abs(right))
         try:
