@@ -15,6 +15,8 @@ from reference.engines.handwritten import world
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
 from reference.running.study import run_job
+from reference.scene.forces import GrowingForce
+from reference.scene.scenario import Body, Scenario, Sphere
 
 HEAD = "import numpy as np\nfrom solutions.forces import *\nfrom solutions.impulse import *\n"
 STUDENT = HEAD + "from solutions.world import collect_contacts, step_world\n"
@@ -23,7 +25,7 @@ FREE_FALL = (
     + """
 def step_world(bodies, state, acceleration, dt, rules, memory=None, force=0.0, torque=0.0):
     position, orientation, velocity, spin = state
-    velocity = velocity + dt * acceleration
+    velocity = velocity + dt * (acceleration + bodies[0][:, None] * force)
     return position + dt * velocity, orientation, velocity, spin, np.zeros(0), np.zeros((0, 3))
 """
 )
@@ -100,6 +102,17 @@ def test_a_first_version_without_contacts_falls(tmp_path):
     start, end = fallen.velocities[0, 0], fallen.velocities[-1, 0]
     assert end[2] - start[2] == pytest.approx(-9.81 * fallen.times[-1], rel=1e-9)
     assert len(fallen.contacts.sample) == 0
+
+
+def test_a_force_is_that_of_the_start_of_its_step(tmp_path):
+    growing, dt, mass = (1.0, 2.0, -3.0), 0.01, 2.0
+    ball = Body("ball", Sphere(0.1), mass)
+    pushed = Scenario("pushed", (ball,), (), 0.1, (0.0, 0.0, 0.0), forces=(GrowingForce("ball", growing),))
+    engine = load_engine("handwritten", Implementation(handed_in(tmp_path, FREE_FALL)))
+    run = engine.run(pushed, engine.settings(pushed, "world").change(timestep=dt))
+    steps = np.rint(run.times / dt)
+    gained = dt**2 / mass * np.outer(steps * (steps - 1) / 2, growing)  # Σ R k dt · dt/m from k = 0 on
+    np.testing.assert_allclose(run.velocities[:, 0], gained, rtol=1e-12, atol=1e-15)
 
 
 def test_a_memory_in_lists_is_taken_as_well(tmp_path):

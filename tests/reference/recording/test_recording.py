@@ -118,6 +118,18 @@ def test_the_members_of_an_ensemble_keep_their_places(values):
     assert Entry.read(kept).numbers == (Number(values),)
 
 
+def test_eleven_digits_are_kept_at_points_of_a_grid(results, tmp_path):
+    family, third = SMALL["incline"], Row("incline", "", "handwritten", "exact", "", "", Verdict.PASS, 1 / 3)
+    grid = next(job for job in jobs_of(family, "handwritten") if job.grid and job.profile == "exact")
+    cases = [case.name for case in grid.cases_in(family, load_engine("handwritten"))]
+    rows = [
+        replace(third, case=case, quantity=each.name, values=(1 / 3,)) for case in cases for each in family.quantities
+    ]
+    numbers, _ = write([results[0], replace(results[0], job=grid, rows=tuple(rows), poses=())], tmp_path, DAY)
+    kept = json.loads(numbers.read_text(encoding="utf-8"))["profiles"]["exact"]["entries"]
+    assert [0.33333333333] * len(family.quantities) in [values for _, values in kept.values()]
+
+
 def test_a_recording_says_when_and_where_it_was_made(folder):
     found = recall(JOBS[0], folder)
     assert found.title == "hand-written*"

@@ -83,6 +83,12 @@ def test_any_whole_numbers_can_be_packed(values):
 def test_small_motions_are_packed_more_finely():
     small = mesh_clip("ant", [(0, 1)], {"it": np.array([[[0.0, 0.0, 0.0], [0.001, 0.0, 0.0]]])})
     assert read(small)["step"] <= 1.001e-3 / FINENESS
+    scenario, poses = flying(Sphere(1e-5), (0.0, 1.0, 0.0))
+    ant = replace(scenario, bodies=scenario.bodies[1:])  # without the floor, which is seen as well
+    found = read(clip(ant, {"it": replaced(poses, positions=1e-3 * poses.positions)}))
+    places = unpacked(found["runs"][0]["positions"], 31, 3) * found["step"]
+    assert_allclose(places, 1e-3 * poses.positions[:, 0], atol=found["step"] / 2 * (1 + 1e-6), rtol=0)
+    assert found["step"] < STEP
 
 
 def test_a_body_that_flies_off_does_not_shrink_the_scale_of_the_rest():
