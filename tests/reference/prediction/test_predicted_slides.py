@@ -15,6 +15,7 @@ from reference.engines.base import AT_STEP, BULLET, DIAMOND, EXACT, SQUARE, Meth
 from reference.prediction import bands, sliding
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.scene import geometry
+from reference.scene.forces import Force
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
 
@@ -36,9 +37,16 @@ def turned_slope(
     return Scenario("turned", (Body("plane", HalfSpace(tuple(normal))), box), (pair,), 0.3)
 
 
+def pushed(scenario: Scenario) -> Scenario:
+    """A body on a plane that a constant force presses on and drives, besides its weight."""
+    normal = np.array(scenario.bodies[0].shape.normal)
+    downhill = np.cross(np.cross(normal, [0.0, 0.0, -1.0]), normal)
+    return replace(scenario, forces=(Force(scenario.bodies[1].name, tuple(2.0 * downhill - 0.9 * normal)),))
+
+
 SCENES = {
     "a slab off the axes stops": slab_on_plane("stops", 0.35, 0.0, 0.7, 0.25, heading=0.5),
-    "a box slides down a turned slope": turned_slope(0.3),
+    "a box slides down a turned slope": pushed(turned_slope(0.3)),
     "a box holds on a turned slope": turned_slope(0.8),
     "a ball begins to roll": ball_on_plane("rolls", 0.25, 0.0, 0.9, 0.2),
     "a ball rolls down": ball_on_plane("down", 0.4, 0.3, 0.0, 0.2, radius=0.07),
