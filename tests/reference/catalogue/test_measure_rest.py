@@ -107,6 +107,12 @@ def test_the_displacement_is_the_straight_line_from_start_to_end():
     assert measure.displacement(trajectory([0, 1, 2], position, (1.0, 0.0, 0.0)), "ball") == 3.0
 
 
+def test_a_way_from_rest_is_that_of_the_time_asked_for_where_the_last_sample_is_later():
+    way = 0.7 * TIMES[:, None] ** 2 * (0.6, 0.0, -0.8)
+    made = trajectory(TIMES, way, 2 * way)
+    assert measure.way_from_rest(made, "ball", 0.996) == pytest.approx(0.7 * 0.996**2)
+
+
 def test_the_stopping_distance_is_measured_along_the_plane():
     position, velocity = slowing(TIMES)
     made = trajectory(TIMES, position, velocity)
