@@ -14,6 +14,7 @@ from reference.engines.profiles import JOINT
 from reference.engines.read_back import NotAsTold
 from reference.engines.sliding_joint import joint_of
 from reference.errors import InvalidInput
+from reference.prediction import joints
 from reference.scene.forces import Spring
 from reference.scene.settings import Settings
 
@@ -55,6 +56,16 @@ def test_darts_joint_takes_its_share_of_a_swing_in_every_step(installed):
     # Backward Euler: the eigenvalues are 1/(1 ± iω dt), so x² + (v/ω)² shrinks by 1 + (ω dt)² in each step
     np.testing.assert_allclose(place**2 + speed**2, 1.01 ** -np.arange(64.0), rtol=1e-10)
     assert math.hypot(place[-1], speed[-1]) == pytest.approx(0.731, abs=5e-4)  # 1.01^(−63/2) after a swing of 0.63 s
+
+
+@pytest.mark.parametrize("name", ["mujoco", "dart"])
+def test_every_step_of_a_joint_with_a_damper_is_as_predicted(name, installed):
+    engine, scenario = installed(name), replace(SCENARIO, duration=0.1)
+    settings = engine.settings(scenario, JOINT)
+    found = joints.predict(scenario, settings, engine.method(scenario, settings))
+    run = engine.run(scenario, settings)
+    np.testing.assert_allclose(run.positions, found.trajectory.positions, rtol=0, atol=found.near)
+    np.testing.assert_allclose(run.velocities, found.trajectory.velocities, rtol=0, atol=found.near)
 
 
 def test_no_timestep_makes_darts_joint_explode(installed):
