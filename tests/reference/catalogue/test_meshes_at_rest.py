@@ -12,7 +12,9 @@ from reference.catalogue.scenarios import catalogue, settled
 from reference.catalogue.scenarios.jelly import PUSH, TOP
 from reference.scene.forces import Force
 from reference.scene.scenario import Scenario
+from reference.scene.settings import Settings
 from reference.scene.spring_network import network
+from reference.scene.trajectory import Trajectory
 
 EDGES, FACES = (case.scenarios[0] for case in catalogue()["jelly"].cases)
 
@@ -40,6 +42,17 @@ def test_a_light_jelly_leans_by_the_inverse_of_its_stiffness():
     start = np.array([body.position for body in light.bodies])
     # The next order is the strain, 5·10⁻⁵ m over 3 cm, times some ten.
     np.testing.assert_allclose(settled.at_rest(light) - start, linear, atol=0.02 * np.abs(linear).max())
+
+
+def test_how_far_a_mesh_is_off_is_said_of_its_farthest_node():
+    states = np.array([body.state() for body in FACES.bodies])
+    place, turn, velocity, spin = np.split(np.stack([states, states]), (3, 7, 10), axis=-1)
+    place[1] = settled.at_rest(FACES)
+    free = network(FACES).free
+    place[1, free[0]] += (0.003, 0.0, -0.004)
+    place[1, free[-1]] += (0.0, 0.001, 0.0)
+    made = Trajectory(FACES, Settings(1e-3), "made up", np.array([0.0, FACES.duration]), place, turn, velocity, spin)
+    assert settled.off(made) == pytest.approx(0.005)
 
 
 @pytest.mark.parametrize("name", ["hanging-chain", "hanging-cloth", "jelly"])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from levels import in_turn
@@ -12,6 +14,7 @@ from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, EXACT, Method
+from reference.prediction import passing
 from reference.scene.settings import Settings
 
 FAMILY = catalogue()["thin-wall"]
@@ -48,6 +51,17 @@ def test_exact_methods_let_nothing_pass_and_step_methods_the_derived_share():
     exact, at_step = (FAMILY.quantity("passed").expect(case, Settings(2e-3), Method(kind)) for kind in (EXACT, AT_STEP))
     assert (exact.value, exact.shift) == (0.0, 0.0)
     assert (at_step.value, at_step.shift) == (0.0, pytest.approx(1 - 0.025 / 0.04))
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.4, 1.0])
+def test_by_hand_a_shot_comes_back_with_the_share_of_its_speed(restitution):
+    engine, scenario = load_engine("handwritten"), FAMILY.case("v=20").scenarios[2]
+    scenario = replace(scenario, pairs=(replace(scenario.pairs[0], restitution=restitution),))
+    settings = engine.settings(scenario, "step")
+    found = passing.predict(scenario, settings, engine.method(scenario, settings)).trajectory
+    run = engine.run(scenario, settings)
+    np.testing.assert_allclose(run.positions, found.positions, rtol=0, atol=1e-9)
+    assert found.velocity("ball")[-1, 0] == pytest.approx(-20 * restitution)
 
 
 ENGINES = ("pybullet", "mujoco", "dart")
