@@ -37,8 +37,9 @@ def test_a_light_jelly_leans_by_the_inverse_of_its_stiffness():
     pushes = tuple(Force(FACES.bodies[number].name, tuple((1e-3 * PUSH).tolist())) for number in TOP)
     light = replace(FACES, gravity=(0.0, 0.0, 0.0), forces=pushes)
     matrix, free = free_stiffness(light)
-    linear = np.zeros((len(light.bodies), 3))
-    linear[free] = np.linalg.solve(matrix, network(light).load[free].ravel()).reshape(-1, 3)
+    linear, load = np.zeros((len(light.bodies), 3)), np.zeros((len(light.bodies), 3))
+    load[TOP] = 1e-3 * PUSH
+    linear[free] = np.linalg.solve(matrix, load[free].ravel()).reshape(-1, 3)
     start = np.array([body.position for body in light.bodies])
     # The next order is the strain, 5·10⁻⁵ m over 3 cm, times some ten.
     np.testing.assert_allclose(settled.at_rest(light) - start, linear, atol=0.02 * np.abs(linear).max())
