@@ -18,7 +18,7 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
 from reference.recording import checksums, files, reading
-from reference.recording.entries import Entry
+from reference.recording.entries import Entry, case_of, names_of, timestep_of
 from reference.recording.fingerprint import fingerprint
 from reference.recording.making import jobs_of, why_stale, write
 from reference.recording.reading import recall, replay
@@ -26,6 +26,7 @@ from reference.running import jobs
 from reference.running.cache import Cache
 from reference.running.jobs import run_one
 from reference.running.study import SCENARIOS, run_job
+from reference.scene.settings import Settings
 from reference.viewer.poses import poses_of
 
 DAY = datetime.date(2026, 11, 21)
@@ -116,6 +117,13 @@ def test_the_members_of_an_ensemble_keep_their_places(values):
     row = Row("incline", CASE, "handwritten", "exact", "way", "m", Verdict.PASS, sum(values), values=values)
     kept = json.loads(json.dumps(Entry.of("0", [row]).as_json()))
     assert Entry.read(kept).numbers == (Number(values),)
+
+
+def test_an_entry_is_named_after_its_timestep_in_seconds():
+    own, other = Settings(1e-3), Settings(2e-3)
+    assert names_of("e=0.5", own, other) == ("e=0.5 @ 0.002 s",) * 2
+    assert [(case_of(name), timestep_of(name)) for name in names_of("e=0.5", own, other)] == [("e=0.5", 2e-3)] * 2
+    assert [timestep_of(name) for name in names_of("e=0.5", own, own)] == [None, None]
 
 
 def test_eleven_digits_are_kept_at_points_of_a_grid(results, tmp_path):
