@@ -86,9 +86,9 @@ BULLETS_ACCURACY = 1e-12
 """Length at which Bullet's search for the nearest points of two shapes ends, m (`EPA_ACCURACY`)."""
 
 
-def bullets_search(timestep: float) -> Term:
-    """What the search for nearest points leaves of a gap, which a contact turns into a speed."""
-    return Term("Bullet's search for nearest points", BULLETS_ACCURACY / timestep)
+def bullets_search(radius: float) -> Term:
+    """The search leaves the nearest point of a box off, and so tilts the normal of a ball by that over its radius."""
+    return Term("Bullet's search for nearest points", BULLETS_ACCURACY / radius)
 
 
 DARTS_FOUR_CORNERS = Term("DART's sweeps over four corners that strike", 1e-4)
@@ -182,7 +182,7 @@ def rocking(height: float, friction: float, fall: float, duration: float, is_cri
 
     height: in widths. friction, fall: what they change of a speed in a step, m/s. Without friction it chatters.
     """
-    share = ROCKING_NEAR_CRITICAL * height if is_critical else ROCKING * height**2
+    share = ROCKING_NEAR_CRITICAL * height if is_critical else ROCKING * height * min(height, 1.0)
     speed = share * friction + CHATTER * height * abs(fall)
     return Term("a box that rocks in MuJoCo", speed * duration)
 

@@ -12,6 +12,7 @@ from reference.prediction import bands
 from reference.prediction.bands import Term
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
+from reference.scene.survey import Survey
 from reference.scene.trajectory import Event, Trajectory
 
 TITLE = "prediction"
@@ -27,8 +28,9 @@ class Prediction:
     @property
     def near(self) -> float:
         """How near each number must be, as a share of it or of its size."""
-        settings, duration = self.trajectory.settings, self.trajectory.scenario.duration
-        return sum((term.share for term in self.terms), bands.steps(settings.steps_for(duration)).share)
+        scenario = self.trajectory.scenario
+        count = 0 if isinstance(scenario, Survey) else self.trajectory.settings.steps_for(scenario.duration)
+        return sum((term.share for term in self.terms), bands.steps(count).share)
 
     def band(self, predicted: float, size: float = 1.0) -> float:
         """Accepted distance from a predicted number, in its unit. size: how large such a number is, if not one unit."""

@@ -27,7 +27,7 @@ from reference.prediction.reached import is_reached
 from reference.prediction.sweeps import swept
 from reference.prediction.touching import Meeting, gaps, meetings, touch
 from reference.scene import geometry
-from reference.scene.scenario import Box, Scenario
+from reference.scene.scenario import Box, Scenario, Sphere
 from reference.scene.settings import Settings
 
 UNRESOLVED = 1.0
@@ -105,7 +105,7 @@ def _terms(scenario: Scenario, settings: Settings, method: Method) -> tuple[band
     """What keeps an implementation from the recurrence, besides the rounding of its steps."""
     found = [bands.contact(settings.timestep)]
     if method.rule in (BULLET, BULLET_SPRING) and any(isinstance(body.shape, Box) for body in scenario.bodies):
-        found.append(bands.bullets_search(settings.timestep))
+        found.append(bands.bullets_search(min(_radii(scenario))))
     if method.rule == MUJOCO_SPRING:
         movable = [body for body in scenario.bodies if not body.immovable]
         spinning = any(any(body.angular_velocity) for body in movable)  # no contact is smooth to MuJoCo
@@ -113,9 +113,13 @@ def _terms(scenario: Scenario, settings: Settings, method: Method) -> tuple[band
         found.append(bands.mujocos_tolerance(movable, with_friction))
     if len(scenario.pairs) > 1 and method.rule == WORLD and "response" not in settings.options:
         found.append(bands.sweeps(settings.number("tolerance"), scenario))
-    if "solver_tolerance" in settings.options:  # DART sweeps over the three directions of a contact
+    if len(scenario.pairs) > 1 and "solver_tolerance" in settings.options:
         found.append(bands.sweeps(settings.number("solver_tolerance"), scenario))
     return tuple(found)
+
+
+def _radii(scenario: Scenario) -> list[float]:
+    return [body.shape.radius for body in scenario.bodies if isinstance(body.shape, Sphere)]
 
 
 class Striking:
