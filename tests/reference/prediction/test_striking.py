@@ -81,8 +81,9 @@ def farthest_off(name: str, engine: str, profile: str, installed) -> float:
 
 @pytest.mark.parametrize(("name", "engine", "profile"), EVERY)
 def test_an_engine_does_what_is_predicted_of_it_step_by_step(name, engine, profile, installed):
-    # DART's softness belongs to two tangents of its own: a box, which gives differently along and across, shows it.
-    assert farthest_off(name, engine, profile, installed) < (300 if (engine, name) == ("dart", "box") else 1)
+    # DART's softness, 10⁻⁵, belongs to two tangents of its own: a box, which gives differently along and across, shows
+    # that. 2100 bands are 9·10⁻⁶.
+    assert farthest_off(name, engine, profile, installed) < (2100 if (engine, name) == ("dart", "box") else 1)
 
 
 def without_weight(self, weight, others):
