@@ -272,6 +272,8 @@ def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
     """
     row = a @ forces + b
     wrong = np.where(forces > 0, np.abs(row), -row)
+    # What is rounding of the largest term is none of its own.
+    wrong = np.maximum(wrong - 4 * np.finfo(float).eps * np.max(np.abs(b)), 0)
     if np.max(wrong) > UNMET * np.max(np.abs(b)):
         return math.inf
     even = forces / unit

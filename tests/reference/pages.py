@@ -108,7 +108,7 @@ def result(family: Family, name: str, profile: str) -> JobResult:
         for quantity in family.quantities
     )
     described = engine.profiles(scenario)[profile]
-    return JobResult(job, engine.title, described, rows, settings, "1.2.3", convergence=STUDY)
+    return JobResult(job, engine.title, described, rows, settings, "3.2.7", convergence=STUDY)
 
 
 @functools.cache
@@ -135,7 +135,7 @@ def written(results: Iterable[JobResult], with_figures: bool = True) -> str:
         family: [(PICTURE.format(name=name), f"What {name} shows.") for name in own] for family, own in names.items()
     }
     shown = pictures if with_figures else dict.fromkeys(pictures, ())
-    return page.render(found, shown, ["hand-written code", "an engine 1.2.3"], "Collisions Lab on a machine")
+    return page.render(found, shown, ["hand-written code", "an engine 3.2.7"], "Collisions Lab on a machine")
 
 
 @functools.cache

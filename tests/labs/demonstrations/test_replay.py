@@ -49,7 +49,7 @@ def test_each_timestep_of_a_demonstration_has_a_replay_of_its_own(tmp_path):
 def test_poses_are_requested_only_for_a_page(tmp_path, monkeypatch):
     asked = []
 
-    def run(planned: list[Job], *_: object) -> None:
+    def run(planned: list[Job], *_: object, **__: object) -> None:
         asked.append({job.with_poses for job in planned})
         raise InvalidInput("that is enough")
 

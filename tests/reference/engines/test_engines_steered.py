@@ -18,7 +18,7 @@ from reference.engines.implementation import Implementation
 from reference.engines.steering import functions_of, steers_of
 from reference.errors import InvalidInput, NeedsFunction, RunFailed
 from reference.lecture import function
-from reference.prediction import steered
+from reference.prediction import bands, steered
 from reference.scene.clearance import nearest
 from reference.scene.geometry import gap, opposite, rotate
 from reference.scene.loads import Loads
@@ -229,7 +229,7 @@ def test_a_recurrence_with_half_a_percent_of_another_mass_is_seen():
         bodies = (SMALL, PILLAR, replace(LARGE, mass=mass))
         other = replace(scenario, bodies=bodies)
         ways.append(steered.predict(other, settings, engine.method(other, settings)).trajectory.position("large"))
-    assert np.max(np.abs(ways[0] - ways[1])) > 100 * steered.NEAR
+    assert np.max(np.abs(ways[0] - ways[1])) > 100 * bands.STEERED.share
 
 
 def test_the_recurrence_is_silent_without_the_code_that_steered():
