@@ -176,9 +176,9 @@ def _ratio_adhesive(restitution: Array) -> Array:
 def _ratio(restitution: Array) -> Array:
     """Damping ratio ζ whose impact leaves e, by halving an interval.
 
-    With L = −ln e, ζ is L over the angle of `_swept_angle`. This angle is at most π,
-    and at least 2 up to ζ = 1, that is up to L = 2. So ζ is between L/π and L/2; for a
-    larger L it is below 1/√e.
+    With L = −ln e, ζ is L over the angle of `_swept_angle`. This angle is at
+    most π, and at least 2 up to ζ = 1, that is up to L = 2. So ζ is between
+    L/π and L/2; for a larger L it is below 1/√e.
     """
     some = np.where(restitution > 0, restitution, 1.0)
     loss = np.abs(np.log(some))

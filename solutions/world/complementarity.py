@@ -32,7 +32,7 @@ With the first no further attempt is made; with the second the best attempt is t
 """
 CONVERGED = 1e-6
 """Share of the largest |b_i| that is left where sweeps have converged."""
-SMALL = 1e-6
+FAINT = 1e-6
 """Share of the largest force below which a force may be rounding."""
 UNMET = 0.05
 """Share of the largest |b_i| by which A f + b may miss what it has to be.
@@ -125,7 +125,7 @@ def solve_by_sweeps(
     Warns
     -----
     NotConverged
-        Where the `complementarity_residual` is above 1e-6 of the largest |b_i|.
+        Where the `complementarity_residual` is above 1e-6 of max |b_i|.
 
     Notes
     -----
@@ -164,8 +164,8 @@ def _say_what_is_left(residual: Array, offset: Array, sweeps: int) -> None:
     if np.any(wrong):
         worst = np.max(np.where(wrong, residual, 0.0))
         warnings.warn(
-            f"{sweeps} sweeps have not converged: the accelerations are wrong by up to"
-            f" {worst:.2g} m/s² (complementarity_residual)",
+            f"{sweeps} sweeps have not converged: the accelerations are wrong by"
+            f" up to {worst:.2g} m/s² (complementarity_residual)",
             NotConverged,
             stacklevel=3,
         )
@@ -277,7 +277,7 @@ def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
     if np.max(wrong) > UNMET * np.max(np.abs(b)):
         return math.inf
     even = forces / unit
-    even = unit * np.maximum(even, SMALL * np.max(even))
+    even = unit * np.maximum(even, FAINT * np.max(even))
     terms = np.abs(a) @ even + np.abs(b)
     return float(np.max(wrong / np.where(terms > 0, terms, 1.0)))
 

@@ -24,7 +24,7 @@ Inside = Callable[[Integers, Array], Booleans]
 
 
 def inside_hulls(piece: Placed, point: Array) -> Booleans:
-    """Whether each point (k, 3) is in its box or polyhedron, or on its surface."""
+    """Whether each point (k, 3) is in its box or polyhedron, or on it."""
     hull = hull_of(piece)
     height = np.matvec(hull.normal, point) - hull.offset
     return np.asarray(np.max(height, axis=1) <= TOUCH)
@@ -45,7 +45,7 @@ def hidden_places(
     Parameters
     ----------
     body : (m,) twice, the bodies A and B of each place
-    piece : (m,) twice, their convex pieces; places of two pieces follow one another
+    piece : (m,) twice, their pieces; places of two pieces follow one another
     point : (m, 3), halfway between the two surfaces, m
     normal : (m, 3), unit, from B to A
     separation : (m,), m
@@ -107,10 +107,10 @@ def _neighbours(
     movable: Booleans,
     has_corners: Booleans,
 ) -> tuple[Integers, Integers]:
-    """Places (k,) where X touches something and that may be hidden, and others of X.
+    """Places (k,) where X touches and that may be hidden, and others of X.
 
-    The two are on other pieces. What cannot move is lifted out of
-    nothing, and so two pieces hide places from it only if they are of one body.
+    The two are on other pieces. What cannot move is lifted out of nothing,
+    and so two pieces hide places from it only if they are of one body.
     """
     none = np.zeros(0, dtype=np.int64)
     if not np.any(has_corners[y]):

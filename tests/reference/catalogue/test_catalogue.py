@@ -10,6 +10,7 @@ import pickle
 import pkgutil
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -244,7 +245,8 @@ def test_a_known_deviation_has_a_reason_and_a_narrower_band(family):
 def test_expectations_of_an_exact_method_do_not_depend_on_the_timestep(family):
     for case, quantity in judged(family):
         coarse, fine = (quantity.expect(case, Settings(dt), Method(EXACT)) for dt in (1e-2, 1e-4))
-        assert coarse == fine, (case.name, quantity.name)
+        # A tolerance may be a share of the overlap that a step finds.
+        assert replace(coarse, tolerance=fine.tolerance) == fine, (case.name, quantity.name)
 
 
 @each_family
@@ -255,8 +257,9 @@ def test_theory_gives_one_number_for_every_method_and_timestep(family):
     for case, quantity in judged(family):
         found = values.pop((case.name, quantity.name), [])
         assert len(set(found)) <= 1
-        # Theory has a figure for a case or has none, whoever is asked.
-        assert len(found) in (0, 2 * len(METHODS))
+        # Theory has a figure for a case or has none, whoever is asked; of a contact that lasts it may have none.
+        lasting = sum(method.kind == COMPLIANT for method in METHODS)
+        assert len(found) in (0, 2 * (len(METHODS) - lasting), 2 * len(METHODS))
     assert not values
 
 
