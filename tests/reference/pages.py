@@ -108,7 +108,7 @@ def result(family: Family, name: str, profile: str) -> JobResult:
         for quantity in family.quantities
     )
     described = engine.profiles(scenario)[profile]
-    return JobResult(job, engine.title, described, rows, settings, "3.2.7", convergence=STUDY)
+    return JobResult(job, engine.title, described, rows, settings, "", convergence=STUDY)
 
 
 @functools.cache
