@@ -75,13 +75,15 @@ def _too_long(case: Case, settings: Settings) -> str:
 class Number:
     """What was measured of one quantity: one value for each scenario of a case, or a note why there is none.
 
-    undecided: whether rounding decides what the number is, so that a prediction has none.
+    undecided: whether rounding decides what the number is, so that a prediction has none. rounded: share by which the
+    values may be off because a recording keeps fewer digits.
     """
 
     values: tuple[float, ...] = ()
     note: str = ""
     crashed: bool = False
     undecided: bool = False
+    rounded: float = 0.0
 
     @property
     def mean(self) -> float | None:
@@ -213,9 +215,13 @@ class _Against:
         """Measured less predicted, for each scenario."""
         return np.subtract(number.values, self.number.values)
 
+    def bands_for(self, number: Number) -> Array:
+        """How near each value of a number has to be, wider where a recording has rounded it."""
+        return np.add(self.bands, number.rounded * np.abs(number.values))
+
     def hold(self, number: Number) -> bool:
         """Whether every number is as predicted."""
-        return bool(np.all(np.abs(self.differences(number)) <= self.bands))
+        return bool(np.all(np.abs(self.differences(number)) <= self.bands_for(number)))
 
 
 def _with_number(row: Row, number: Number, expectation: Expectation | None, against: _Against | None) -> Row:
@@ -242,7 +248,7 @@ def _with_prediction(row: Row, number: Number, against: _Against) -> tuple[Row, 
         return replace(row, note=f"predicted: {against.number.note}"), False
     off = against.differences(number)
     worst = int(np.argmax(np.abs(off)))
-    row = replace(row, predicted=against.number.mean, band=max(against.bands), off=float(off[worst]))
+    row = replace(row, predicted=against.number.mean, band=float(max(against.bands_for(number))), off=float(off[worst]))
     if holds := against.hold(number):
         return row, holds
     return replace(

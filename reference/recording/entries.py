@@ -15,6 +15,10 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.scene.settings import Settings
 
 _AT, _OWN, _UNIT = " @ ", "own", " s"
+GRID_DIGITS = 11
+"""Digits of a number at a point or a timestep of a grid, so that the files stay half as large."""
+_ROUNDED = 0.5 * 10.0 ** (1 - GRID_DIGITS)
+"""Share by which that rounds a number at most."""
 
 
 def names_of(case: str, own: Settings, settings: Settings) -> tuple[str, str]:
@@ -37,6 +41,11 @@ def name_of(case: str, own: Settings, settings: Settings, of_grid: bool) -> str:
 def case_of(name: str) -> str:
     """The case of an entry."""
     return name.partition(_AT)[0]
+
+
+def rounded(name: str) -> float:
+    """Share by which the numbers of an entry may have been rounded: those of a family's own cases are whole."""
+    return _ROUNDED if _AT in name else 0.0
 
 
 def timestep_of(name: str) -> float | None:

@@ -17,7 +17,7 @@ from reference.comparison.verdicts import Row
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.recording import checksums
-from reference.recording.entries import Entry, name_as_own_case, name_of, names_of
+from reference.recording.entries import GRID_DIGITS, Entry, name_as_own_case, name_of, names_of
 from reference.recording.files import FOLDER, SCHEMA, VERSION, Made, content_of, forget, tracks_of, write_json
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
@@ -25,8 +25,6 @@ from reference.viewer.tracks import Track, write_tracks
 
 OTHER_VERSION = "recorded in version"
 """How the reason begins where only the engine's version differs."""
-GRID_DIGITS = 11
-"""Digits of a number at a point or a timestep of a grid. No verdict needs as many, and the files stay half as large."""
 _LINES_DOWN_TO = 4
 """Depth of a file down to which each entry has a line of its own: that of a case."""
 

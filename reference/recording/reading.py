@@ -28,7 +28,7 @@ from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
 from reference.engines.steering import functions_of
 from reference.errors import CollisionsError, NotRecorded, listed
-from reference.recording.entries import Entry, case_of, name_of, names_of, timestep_of
+from reference.recording.entries import Entry, case_of, name_of, names_of, rounded, timestep_of
 from reference.recording.files import MARK, Made, content_of, tracks_of, with_tuples
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
@@ -168,13 +168,16 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[s
     except CollisionsError as error:
         return [replace(blank, note=str(error))]
     kept = taken["entries"]
-    entries = [Entry.read(kept[name]) for name in names_of(case.name, own, settings) if name in kept]
-    entry = next((entry for entry in entries if entry.fingerprint == fingerprint(case, settings)), None)
-    if entry is None:
+    entries = {name: Entry.read(kept[name]) for name in names_of(case.name, own, settings) if name in kept}
+    current = fingerprint(case, settings)
+    name = next((name for name, entry in entries.items() if entry.fingerprint == current), None)
+    if name is None:
         return [replace(blank, note=_why_not(case, engine, job, own, settings, taken, is_stale=bool(entries)))]
+    entry = entries[name]
     if entry.verdict is not None:
         return [replace(blank, verdict=entry.verdict, note=entry.note)]
-    numbers = dict(zip(taken["quantities"], entry.numbers, strict=True))
+    kept_numbers = (replace(number, rounded=rounded(name)) for number in entry.numbers)
+    numbers = dict(zip(taken["quantities"], kept_numbers, strict=True))
     missing = [quantity.name for quantity in family.quantities if quantity.name not in numbers]
     if missing:
         why = f"its recording is stale: it has no {', '.join(missing)}; collisions record makes a new one"
