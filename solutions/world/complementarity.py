@@ -272,8 +272,8 @@ def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
     """
     row = a @ forces + b
     wrong = np.where(forces > 0, np.abs(row), -row)
-    # What is rounding of the largest term is none of its own.
-    wrong = np.maximum(wrong - 4 * np.finfo(float).eps * np.max(np.abs(b)), 0)
+    # What the most careful attempt takes for zero is none.
+    wrong = np.maximum(wrong - LEAST_PIVOTS[-1] * np.max(np.abs(b)), 0.0)
     if np.max(wrong) > UNMET * np.max(np.abs(b)):
         return math.inf
     even = forces / unit
@@ -345,7 +345,7 @@ def _largest_pivot(
     """
     rows = _falling_rows(table, entering, least)
     pivots, left = table[rows, entering], np.maximum(table[rows, -1], 0.0)
-    first = left / pivots <= np.min((left + NEGLIGIBLE) / pivots)
+    first = left / pivots <= np.min((left + min(least, NEGLIGIBLE)) / pivots)
     return int(
         rows[
             np.argmax(

@@ -90,12 +90,13 @@ NOT_PREDICTED = {
 
 
 def expected_silences() -> set[Number]:
-    """What theory says nothing of and a recurrence predicts: all but what is exact by hand and has no steps."""
+    """What theory says nothing of and a recurrence predicts: all but costs, and what is exact by hand, without steps."""
     return {
         (family.name, name, profile, case.name, quantity.name)
         for family, case, name, profile in _counted()
         for quantity in family.quantities
         if quantity.theory(case) is None
+        and not quantity.cost
         and family.name not in NOT_PREDICTED
         and profile != EXACT
         and (case.name, quantity.name) != ("head-on", "arrival")  # two who block each other's way never arrive

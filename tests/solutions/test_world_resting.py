@@ -551,3 +551,17 @@ def test_many_rows_at_once_are_the_same_as_one_after_another():
 def test_an_invalid_contact_is_refused_by_name(call, name):
     with pytest.raises(ValueError, match=f"^{name}"):
         call()
+
+
+@pytest.mark.parametrize(
+    ("velocity", "mass"),
+    [
+        ([2.0, 2.0 + 1e-15, 0.0], [1.0, 1.125, 1.0]),
+        ([1.58e-11, 0, 0, 2, 2.0000001], [1.7, 1.6, 1, 1.2, 1.9]),
+        ([-0.9999999999709576, -1, -1, 1], [0.75, 1.43, 0.52, 1.54]),
+    ],
+)
+def test_what_hardly_closes_beside_faster_parting_is_no_reason_to_give_up(velocity, mass):
+    after = simultaneous_impacts(velocity, mass, 0.5)
+    assert np.dot(mass, after - velocity) == pytest.approx(0.0, abs=1e-14)
+    assert np.min(np.diff(after)) >= -1e-14

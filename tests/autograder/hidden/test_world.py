@@ -174,18 +174,33 @@ def round_contacts(bodies, state, margin):
     return tuple(np.array(c, dtype=float).reshape(s) for c, s in zip([*columns, key], shapes, strict=True))
 
 
+def is_hidden(box, a, b, point, normal, gap, _):
+    """Whether the box is touched behind what else the same ball touches; the given function leaves such a place out."""
+    for i in np.flatnonzero(b == box):
+        for j in np.flatnonzero((np.arange(len(b)) != i) & ((a == a[i]) | (b == a[i]))):
+            away = normal[j] if a[j] == a[i] else -normal[j]
+            surface = point[j] - away * gap[j] / 2
+            if away @ (point[i] - normal[i] * gap[i] / 2 - surface) <= 1e-6 * abs(gap[i]):
+                return True
+    return False
+
+
 @asks("collect_contacts", 7, "Boxes around bodies find the pairs, and the given function where their surfaces touch.")
 def test_contacts_are_found_where_surfaces_are_near(submission, part, examples):
     def balls(draw, size=1.0):
         things = [thing(PLANE, draw.unit(), position=size * draw.vector(1))]
         things += [thing(BALL, size * draw.number(0.3, 0.9), 1.0, size * draw.vector(1.2)) for _ in range(4)]
         half, middle, q = size * (np.abs(draw.vector(0.5)) + 0.05), size * (draw.vector(1) + 2), orientation(draw)
-        while any(np.all(np.abs(matrix_of(q).T @ (ball[4] - middle)) <= half) for ball in things[1:]):
-            middle = middle + 0.25 * size  # where a ball's centre is in the box, no point of the box is nearest to it
-        things.insert(2, thing(BOX, half, 2.0, middle, q))
+        margin = size * (draw.number(0.01, 0.4) + 0.00137)  # no gap of short numbers is just as large
         meet = np.ones((6, 6), dtype=bool)
         meet[0, 2] = meet[2, 0] = meet[1, 4] = meet[4, 1] = False  # the box is not to meet the plane
-        return *world(things, meet=meet), size * draw.number(0.01, 0.4)
+        while True:
+            given = (*world([*things[:2], thing(BOX, half, 2.0, middle, q), *things[2:]], meet=meet), margin)
+            # Where a ball's centre is in the box, no point of the box is nearest to it.
+            inside = any(np.all(np.abs(matrix_of(q).T @ (ball[4] - middle)) <= half) for ball in things[1:])
+            if not inside and not is_hidden(2, *round_contacts(*given)):
+                return given
+            middle = middle + 0.25 * size
 
     with part(2, "any balls, a box and a plane"):
         examples.agree(submission.collect_contacts, round_contacts, balls, count=6)
