@@ -90,7 +90,7 @@ NOT_PREDICTED = {
 
 
 def expected_silences() -> set[Number]:
-    """What theory says nothing of and a recurrence predicts: all but costs, and what is exact by hand, without steps."""
+    """What theory says nothing of and a recurrence predicts: all but costs, and what is exact by hand."""
     return {
         (family.name, name, profile, case.name, quantity.name)
         for family, case, name, profile in _counted()
