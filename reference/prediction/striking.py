@@ -207,17 +207,26 @@ class Striking:
                     raise NoRule
 
     def _runge_kutta(self, state: State) -> State:
+        """MuJoCo's classical fourth order, for turns that of Munthe-Kaas, with spins in the bodies' own frames.
+
+        A stage adds up rates of the turn θ since the start of the step. With the spin ω in the turned body's frame that
+        rate is ω + θ × ω/2 + θ × (θ × ω)/12. The spins themselves MuJoCo adds up as they are in these frames.
+        """
         dt, slopes, at = self.dt, [], state
+        own = _into_own(state.orientation, state.spin)
+        turned = np.zeros_like(own)
         for ahead in (dt / 2, dt / 2, dt, 0.0):
             change, _ = self.changes(at)
-            slopes.append((at.velocity, at.spin, change[:, 0] / dt, change[:, 1] / dt))
-            velocity, spin, pull, twist = slopes[-1]
-            then = state.velocity + ahead * pull, state.spin + ahead * twist
-            at = _moved(state, velocity * ahead, spin * ahead, *then)
-        velocity, spin, pull, twist = (
+            spin, twist = _into_own(at.orientation, at.spin), _into_own(at.orientation, change[:, 1]) / dt
+            aside = np.cross(turned, spin)
+            slopes.append((at.velocity, spin + aside / 2 + np.cross(turned, aside) / 12, change[:, 0] / dt, twist))
+            velocity, turning, pull, twist = slopes[-1]
+            turned = turning * ahead
+            at = _moved_in_own(state, velocity * ahead, turned, state.velocity + ahead * pull, own + ahead * twist)
+        velocity, turning, pull, twist = (
             (first + 2 * (second + third) + last) / 6 for first, second, third, last in zip(*slopes, strict=True)
         )
-        return _moved(state, velocity * dt, spin * dt, state.velocity + dt * pull, state.spin + dt * twist)
+        return _moved_in_own(state, velocity * dt, turning * dt, state.velocity + dt * pull, own + dt * twist)
 
     def changes(self, state: State) -> tuple[Array, Array]:
         """What a step changes of velocity and spin of each body, (bodies, 2, 3), and beside that of its pose."""
@@ -268,6 +277,16 @@ def _leads_aside(both: Both, rule: Rule, by_contacts: Array) -> bool:
 def _moved(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:
     orientation = geometry.turned(state.orientation, turn) if turn.any() else state.orientation
     return State(state.position + way, orientation, velocity, spin)
+
+
+def _moved_in_own(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:
+    """The same with turns in the frames at the start, and spins in those at the end."""
+    moved = _moved(state, way, geometry.rotate(state.orientation, turn), velocity, spin)
+    return moved._replace(spin=geometry.rotate(moved.orientation, spin))
+
+
+def _into_own(orientation: Array, vectors: Array) -> Array:
+    return geometry.rotate(geometry.opposite(orientation), vectors)
 
 
 def _one(state: State) -> State:
