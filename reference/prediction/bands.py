@@ -53,6 +53,25 @@ def contact(timestep: float) -> Term:
     return Term("rounding in a contact", IN_A_CONTACT * ULP * (1 + 1 / timestep))
 
 
+IN_A_FORCE, IN_A_GRIP = 4, 3
+"""Roundings, in half ulps, of the accelerations of which MuJoCo's noslip passes make a normal force, and of what they
+take off again where friction ends a slip."""
+
+
+def in_noslip(pressed: float, gripped: float) -> Term:
+    """Rounding in MuJoCo's noslip passes, which take velocities from the forces and not from the main solver.
+
+    A normal force is (a_ref − a)/R. The two accelerations differ only by a share 1 − d of themselves, so that their
+    roundings are a share of the force 1/(1 − d) times as large, 10⁴ at d = 0.9999: a_ref from two terms, a, and their
+    difference. For friction the passes take R, which a small impratio makes large, off A + R, and R f off (A + R) f.
+    That leaves the roundings of R f, with R/A = 3·10⁵ times the friction's own.
+
+    pressed: what normal forces change of rates, times d/(1 − d) and A's share, m/s, all added up. gripped: R f dt of
+    the frictions that end a slip, m/s. In a second an error of a speed is as large an error of a way, m.
+    """
+    return Term("rounding in MuJoCo's noslip passes", (IN_A_FORCE * pressed + IN_A_GRIP * gripped) * ULP / 2)
+
+
 # What a solver leaves
 
 UNCONVERGED = 10.0
@@ -74,11 +93,29 @@ def sweeps(tolerance: float, scenario: Scenario) -> Term:
     return Term("sweeps that end at a tolerance", unconverged * tolerance)
 
 
+MUJOCO_TOLERANCE = 1e-8
+"""`tolerance`, which no profile sets."""
+
+
+def mujocos_warm_start(bodies: Sequence[Body], timestep: float) -> Term:
+    """What MuJoCo's solver leaves in a contact that lasts, m/s.
+
+    It begins with the accelerations of the step before, and does nothing where the gradient of the cost, a force, is
+    less than `tolerance` times the trace of the mass matrix. So much force is then missing for a step.
+    """
+    left = MUJOCO_TOLERANCE * _trace(bodies) / min(body.mass for body in bodies)
+    return Term("the tolerance of MuJoCo's solver where a contact lasts", left * timestep)
+
+
+def _trace(bodies: Sequence[Body]) -> float:
+    """Of the mass matrix of free bodies, kg, where kg m² count as kg."""
+    return float(sum(3 * body.mass + sum(body.moments_of_inertia()) for body in bodies))
+
+
 def mujocos_tolerance(bodies: Sequence[Body], with_friction: bool) -> Term:
     """What MuJoCo's solver leaves in the contact of a spring, which takes some sixteen steps of four stages each."""
-    trace = sum(3 * body.mass + sum(body.moments_of_inertia()) for body in bodies)
     share = MUJOCO_SPRUNG_WITH_FRICTION if with_friction else MUJOCO_SPRUNG
-    share *= (trace / (3 * min(body.mass for body in bodies))) ** 0.5
+    share *= (_trace(bodies) / (3 * min(body.mass for body in bodies))) ** 0.5
     return Term("the tolerance of MuJoCo's solver", share)
 
 

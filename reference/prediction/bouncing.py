@@ -10,7 +10,7 @@ from reference.arrays import Array
 from reference.engines.base import BULLET, BULLET_SPRING, CHORD, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, WORLD, Method
 from reference.prediction import bands
 from reference.prediction.bands import Term
-from reference.prediction.laws import Law, law_of
+from reference.prediction.laws import Law, MuJoCoOneStep, law_of
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, Scenario
@@ -43,6 +43,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if not _falls_straight(scenario, body, normal, method, float(np.max(np.abs(along)))):
         return None
     restitution, kept = scenario.pairs[0].restitution, 0.0
+    law: Law | None = None
     if method.rule == CHORD:
         gaps, rates, rest = by_chords(gap, rate, fall, settings.timestep, restitution, method.rest_speed, steps)
     else:
@@ -55,6 +56,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     position = np.array(body.position) + (gaps - gap)[:, None] * normal + along
     velocity = rates[:, None] * normal + along_velocity
     terms = _terms(scenario, body, settings, method)
+    if method.rule == MUJOCO_ONE_STEP and law is not None:
+        terms += _of_mujoco(body, settings, law, np.diff(rates) - fall)
     if method.rule == DART and settings.options.get("sleep") is not False:
         asleep = _falls_asleep(velocity, settings.timestep)
         if asleep < steps:
@@ -73,6 +76,17 @@ def _terms(scenario: Scenario, body: Body, settings: Settings, method: Method) -
             found.append(bands.DARTS_FOUR_CORNERS)
         if method.rule == WORLD:
             found.append(bands.sweeps(settings.number("tolerance"), scenario))
+    return found
+
+
+def _of_mujoco(body: Body, settings: Settings, law: Law, pressed: Array) -> list[Term]:
+    """What MuJoCo's solver leaves. pressed: what the contact changes of the rate in each step, (steps,), m/s."""
+    found, touches = [], np.abs(pressed) > STRAIGHT * settings.timestep
+    if isinstance(law, MuJoCoOneStep) and settings.options.get("noslip_iterations"):
+        share = law.ease * law.impedance / (1 - law.impedance)
+        found.append(bands.in_noslip(share * float(np.sum(np.abs(pressed[touches]))), 0.0))
+    if np.any(touches[1:] & touches[:-1]):
+        found.append(bands.mujocos_warm_start([body], settings.timestep))
     return found
 
 

@@ -68,7 +68,10 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         for place, body in enumerate(scenario.bodies)
         if not body.immovable
     }
-    return Prediction(trajectory_of(scenario, settings, paths), _terms(scenario, settings, method))
+    terms = _terms(scenario, settings, method)
+    if method.rule == MUJOCO_ONE_STEP:
+        terms += striking.of_mujoco()
+    return Prediction(trajectory_of(scenario, settings, paths), terms)
 
 
 def _in_a_row(bodies: Bodies, meetings: list[Meeting]) -> bool:
@@ -138,6 +141,8 @@ class Striking:
         self.keeps_contacts = method.rule in (BULLET, BULLET_SPRING)
         self.carried: list[Meeting] = []
         self.pushed_turn = BULLETS_PUSHED_TURN if method.rule == BULLET else 1.0
+        self.pressed = self.gripped = 0.0
+        self.lasts = False
 
     def run(self, steps: int) -> State | None:
         """The states after each step, start included; None where a contact leaves its plane, or a box tumbles."""
@@ -248,7 +253,7 @@ class Striking:
                 if isinstance(rule, MuJoCos) and rule.noslip and both.noslip_gives_up():
                     raise NoRule
                 contacts.append((both, rule))
-        self.carried = []
+        before, self.carried = self.carried, []
         if not contacts:
             return change, np.zeros_like(change)
         if self.in_a_pyramid and len(contacts) > MOST_PIVOTED:
@@ -258,7 +263,10 @@ class Striking:
             for each in zip(*((both.rows(), both.effects()) for both, _ in contacts), strict=True)
         )
         impulses, pushes = swept(contacts, rows @ effects.T, rows @ change.ravel())
-        self.carried = [both.meeting for (both, _), pressed in zip(contacts, impulses[1::2], strict=True) if pressed]
+        carried = [both.meeting for (both, _), pressed in zip(contacts, impulses[1::2], strict=True) if pressed]
+        self.lasts = self.lasts or any(meeting in before for meeting in carried)
+        self.carried = carried
+        self._count_roundings(contacts, impulses)
         by_contacts = (impulses @ effects).reshape(change.shape)
         if any(_leads_aside(both, rule, by_contacts) for both, rule in contacts):
             raise NoRule
@@ -266,6 +274,24 @@ class Striking:
         push = (pushes @ effects[1::2]).reshape(change.shape)
         push[:, 1] *= self.pushed_turn
         return change, push
+
+    def _count_roundings(self, contacts: list[tuple[Both, Rule]], impulses: Array) -> None:
+        """Add up what MuJoCo's noslip passes round in a step, as `bands.in_noslip` has it."""
+        for (both, rule), (along, pressed) in zip(contacts, impulses.reshape(-1, 2).tolist(), strict=True):
+            if isinstance(rule, MuJoCos) and rule.noslip:
+                share = rule.law.impedance / (1 - rule.law.impedance)
+                k_nn = both.inverse_masses[2]
+                self.pressed += share * k_nn / both.inverse_mass * k_nn * pressed
+                if abs(along) < both.meeting.pair.kinetic_friction * pressed:
+                    self.gripped += both.inverse_mass / share / rule.impratio * abs(along)
+
+    def of_mujoco(self) -> tuple[bands.Term, ...]:
+        """What MuJoCo's solver leaves in the impacts of a run."""
+        found = [bands.in_noslip(self.pressed, self.gripped)] if self.pressed else []
+        if self.lasts:
+            movable = [body for body in self.bodies.scenario.bodies if not body.immovable]
+            found.append(bands.mujocos_warm_start(movable, self.dt))
+        return tuple(found)
 
 
 def _leads_aside(both: Both, rule: Rule, by_contacts: Array) -> bool:
