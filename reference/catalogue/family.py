@@ -61,7 +61,7 @@ class Quantity:
     measure: Callable[[Trajectory], float]
     expect: Callable[[Case, Settings, Method], Expectation | None] | None
     scale: Callable[[Case], float] | None = None
-    slack: Callable[[Settings, Method], float] | None = None
+    slack: Callable[[Case, Settings, Method], float] | None = None
     absent: str = "has no such number"
     share_of: str = ""
     asked: Callable[[Trajectory, Callable[[Query], float]], float] | None = None

@@ -154,7 +154,7 @@ def judged(
                 shift=expectation.shift,
             )
         size = expectation.size if expectation and expectation.size else 1.0
-        slack = quantity.slack(settings, method) if quantity.slack else 0.0
+        slack = quantity.slack(case, settings, method) if quantity.slack else 0.0
         against = _Against.of(quantity, predictions, size, slack)
         if against is not None:
             row = replace(row, shift=0.0)  # the recurrence says it better

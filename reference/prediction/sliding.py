@@ -125,6 +125,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             )
     if drive and method.rule != RESPOND_THEN_STEP:
         terms.append(bands.late(_late(drive, pair, fall)))
+        if method.rule == BULLET:
+            terms.append(bands.bullets_limit(kinetic * abs(fall), settings.number("solver_iterations")))
     return Prediction(trajectory, tuple(terms))
 
 
@@ -290,14 +292,14 @@ def _terms(
     if method.rule == WORLD and a_box:
         found.append(bands.first_sweeps(settings.number("tolerance"), fall))
     if method.rule == BULLET and isinstance(body.shape, Box):
-        lost = fastest * settings.timestep > _bullets_reach(body.shape)
+        lost = loses_corners(body, fastest, settings.timestep)
         found += [bands.lost_corners(fall, settings.timestep)] * lost
     return found
 
 
-def _bullets_reach(box: Box) -> float:
-    """How far a step may move a box without that Bullet loses its corners, m: 2 % of half the diagonal."""
-    return BULLETS_REACH * float(np.linalg.norm(box.half_extents))
+def loses_corners(box: Body, speed: float, timestep: float) -> bool:
+    """Whether a step moves a box so far that Bullet loses its corners: by 2 % of half the diagonal."""
+    return speed * timestep > BULLETS_REACH * float(np.linalg.norm(box.shape.half_extents))  # type: ignore[union-attr]
 
 
 def _height(body: Body, normal: Array) -> float:

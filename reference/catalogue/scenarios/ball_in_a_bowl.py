@@ -86,7 +86,7 @@ def _rest(trajectory: Trajectory) -> float:
     return float(_underside(trajectory)[-1]) + ball.radius
 
 
-def _falls_by_chance(settings: Settings, method: Method) -> float:
+def _falls_by_chance(case: Case, settings: Settings, method: Method) -> float:
     """Tuned PyBullet's ball rests with a gap of 0, and rounding decides in which steps that is a contact, m.
 
     In a step without one the ball falls by g dt², and the next step puts a share of that back.

@@ -76,7 +76,7 @@ def _expect_no_overlap(case: Case, settings: Settings, method: Method) -> Expect
     return Expectation(0.0, ROUNDING, "rounding only: nobody touches anybody", shift_reason=why, size=1.0)
 
 
-def _rounded_edges(settings: Settings, method: Method) -> float:
+def _rounded_edges(case: Case, settings: Settings, method: Method) -> float:
     """PyBullet answers with the rounded edge of a box, so that a ball beside an edge is up to 0.41 mm farther."""
     return EDGES if method.rule in (BULLET, BULLET_DAMPED) else 0.0
 

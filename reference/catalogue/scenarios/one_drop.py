@@ -169,7 +169,7 @@ def _expect_end(case: Case, settings: Settings, method: Method) -> Expectation:
     return Expectation(found, MILLIMETRE, "1 mm: nobody sees it in a scene of metres", shift_reason=why)
 
 
-def _falls_by_chance(settings: Settings, method: Method) -> float:
+def _falls_by_chance(case: Case, settings: Settings, method: Method) -> float:
     """Tuned PyBullet's ball rests with a gap of 0, and rounding decides in which steps that is a contact, m.
 
     In a step without one the ball falls by g dt², and the next step puts a share of that back.

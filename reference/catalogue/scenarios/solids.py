@@ -236,12 +236,12 @@ def length(of: Callable[[Case], float]) -> Expect:
     return expect
 
 
-def left_by_iteration(settings: Settings, method: Method) -> float:
+def left_by_iteration(case: Case, settings: Settings, method: Method) -> float:
     """What the search for nearest points may leave, m."""
     return ITERATED if method.rule == ANSWERS_IN_SINGLE else 0.0
 
 
-def left_to_rounding(settings: Settings, method: Method) -> float:
+def left_to_rounding(case: Case, settings: Settings, method: Method) -> float:
     """Share of the rays at a border of two triangles that rounding may let through.
 
     Where an implementation tests each triangle by itself, a ray at their border may be outside of all of them. If

@@ -71,7 +71,7 @@ def test_every_sample_of_an_engine_is_as_predicted(name, scene, installed):
     run = engine.run(scenario, settings)
     off = np.linalg.norm(positions(found.trajectory) - positions(run), axis=1)
     if name == "mujoco" and "ball" not in scene:  # corners that come off the ground in turn push it aside
-        assert np.max(off) < slack_aside(settings, engine.method(scenario, settings))
+        assert np.max(off) < slack_aside(None, settings, engine.method(scenario, settings))
         ways = [np.linalg.norm(positions(each) - positions(each)[0], axis=1) for each in (found.trajectory, run)]
         off = ways[0] - ways[1]
     assert np.max(np.abs(off)) < found.near
