@@ -128,6 +128,20 @@ def bullets_search(radius: float) -> Term:
     return Term("Bullet's search for nearest points", BULLETS_ACCURACY / radius)
 
 
+FALLBACK, FALLBACK_SWEEPS = 1e-3, 30
+"""DART's default solver gives up, in about every other case, where a contact of two at once needs no impulse by itself.
+Then DART sweeps, until a sweep changes no impulse by more than this share, or so often."""
+
+
+def darts_fallback(coupling: float, speed: float) -> Term:
+    """What DART's fallback leaves, m/s. A sweep leaves ρ of an error, k₁₂²/(k₁₁ k₂₂) for two contacts: the coupling.
+
+    speed: what the largest impulse changes of the lightest body's, m/s.
+    """
+    left = FALLBACK * coupling / (1 - coupling) if coupling < 1 else 1.0
+    return Term("sweeps where DART's solver gives up", max(left, coupling**FALLBACK_SWEEPS) * speed)
+
+
 DARTS_FOUR_CORNERS = Term("DART's sweeps over four corners that strike", 1e-4)
 """Three would carry the box, and sweeps over a fourth converge slowly; in rad, m and shares."""
 DARTS_TWO_CORNERS = Term("DART's sweeps over two corners that strike", 3e-5)

@@ -71,6 +71,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     terms = _terms(scenario, settings, method)
     if method.rule == MUJOCO_ONE_STEP:
         terms += striking.of_mujoco()
+    if striking.fallback:
+        terms += (striking.fallback,)
     return Prediction(trajectory_of(scenario, settings, paths), terms)
 
 
@@ -143,6 +145,7 @@ class Striking:
         self.pushed_turn = BULLETS_PUSHED_TURN if method.rule == BULLET else 1.0
         self.pressed = self.gripped = 0.0
         self.lasts = False
+        self.fallback: bands.Term | None = None
 
     def run(self, steps: int) -> State | None:
         """The states after each step, start included; None where a contact leaves its plane, or a box tumbles."""
@@ -267,6 +270,8 @@ class Striking:
         self.lasts = self.lasts or any(meeting in before for meeting in carried)
         self.carried = carried
         self._count_roundings(contacts, impulses)
+        if self.in_a_pyramid and len(contacts) > 1:
+            self._see_fallback(contacts, rows @ effects.T, impulses)
         by_contacts = (impulses @ effects).reshape(change.shape)
         if any(_leads_aside(both, rule, by_contacts) for both, rule in contacts):
             raise NoRule
@@ -284,6 +289,15 @@ class Striking:
                 self.pressed += share * k_nn / both.inverse_mass * k_nn * pressed
                 if abs(along) < both.meeting.pair.kinetic_friction * pressed:
                     self.gripped += both.inverse_mass / share / rule.impratio * abs(along)
+
+    def _see_fallback(self, contacts: list[tuple[Both, Rule]], k: Array, impulses: Array) -> None:
+        """Note where DART's solver may give up: one of two contacts touches and does not move by itself."""
+        if any(abs(both.touched.gap) < UNDECIDED and abs(both.before[1]) < UNDECIDED for both, _ in contacts):
+            across = k[1::2, 1::2]
+            coupling = float(across[0, 1] * across[1, 0] / (across[0, 0] * across[1, 1]))
+            speed = float(np.max(np.abs(impulses))) * float(np.max(self.bodies.inverse_mass))
+            found = bands.darts_fallback(coupling, speed)
+            self.fallback = max(self.fallback or found, found, key=lambda term: term.share)
 
     def of_mujoco(self) -> tuple[bands.Term, ...]:
         """What MuJoCo's solver leaves in the impacts of a run."""
