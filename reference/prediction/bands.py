@@ -53,6 +53,11 @@ def contact(timestep: float) -> Term:
     return Term("rounding in a contact", IN_A_CONTACT * ULP * (1 + 1 / timestep))
 
 
+def magnified(growth: float) -> Term:
+    """The rounding of the first steps, as the motion magnifies it. growth: how many times, by the recurrence itself."""
+    return Term("rounding that the motion magnifies", IN_A_STEP * ULP * growth)
+
+
 IN_A_FORCE, IN_A_GRIP = 4, 3
 """Roundings, in half ulps, of the accelerations of which MuJoCo's noslip passes make a normal force, and of what they
 take off again where friction ends a slip."""

@@ -21,6 +21,9 @@ STRAIGHT = 1e-9
 """Sine of an angle, or m, that counts as none."""
 BULLETS_REACH = 0.02
 """Bullet drops a contact that parts, or that a step moves, by more than this share of the radius around a body."""
+BESIDE = 1e-9
+"""How far beside the start a second motion begins, m, that tells how much the first magnifies what is off. A spring of
+few steps a contact magnifies it the most where a step ends next to the surface."""
 CORNERS = 4
 """Corners of a box that lies on a face: so many contacts share what it carries."""
 ASLEEP_AFTER, ASLEEP_BELOW, AWAKE_ABOVE = 0.5, 0.01, 0.02
@@ -56,6 +59,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     position = np.array(body.position) + (gaps - gap)[:, None] * normal + along
     velocity = rates[:, None] * normal + along_velocity
     terms = _terms(scenario, body, settings, method)
+    if method.rule in (BULLET_SPRING, MUJOCO_SPRING) and law is not None:
+        beside, _, _ = by_steps(gap + BESIDE, rate, fall, law, steps)
+        terms.append(bands.magnified(float(np.max(np.abs(beside - gaps))) / BESIDE))
     if method.rule == MUJOCO_ONE_STEP and law is not None:
         terms += _of_mujoco(body, settings, law, np.diff(rates) - fall)
     if method.rule == DART and settings.options.get("sleep") is not False and _may_sleep(scenario, settings.timestep):

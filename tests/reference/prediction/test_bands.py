@@ -100,9 +100,9 @@ def on_an_edge(rng) -> Scenario:
 
 
 def two_balls(rng) -> Scenario:
-    """Off the centre, turned, and with masses up to 10³ : 1."""
+    """Off the centre, turned, and with masses up to 10⁶ : 1."""
     turn, (one, other), aside = turned_at_random(rng), rng.uniform(0.04, 0.1, size=2), rng.uniform(-0.8, 0.8)
-    masses = 10 ** rng.uniform(-1.5, 1.5, size=2)
+    masses = 10 ** rng.uniform(-3, 3, size=2)
     start = geometry.rotate(turn, np.array([-(one + other) - 0.0203, aside * (one + other), 0.0]))
     velocity = geometry.rotate(turn, np.array([rng.uniform(1, 4), 0.0, 0.0]))
     struck = Body("struck", Sphere(other), masses[1])
