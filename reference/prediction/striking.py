@@ -118,10 +118,7 @@ def _terms(scenario: Scenario, settings: Settings, method: Method) -> tuple[band
     if method.rule in (BULLET, BULLET_SPRING) and any(isinstance(body.shape, Box) for body in scenario.bodies):
         found.append(bands.bullets_search(min(_radii(scenario))))
     if method.rule == MUJOCO_SPRING:
-        movable = [body for body in scenario.bodies if not body.immovable]
-        spinning = any(any(body.angular_velocity) for body in movable)  # no contact is smooth to MuJoCo
-        with_friction = spinning or any(pair.kinetic_friction > 0 for pair in scenario.pairs)
-        found.append(bands.mujocos_tolerance(movable, with_friction))
+        found.append(bands.mujocos_tolerance([body for body in scenario.bodies if not body.immovable]))
     if len(scenario.pairs) > 1 and method.rule == WORLD and "response" not in settings.options:
         found.append(bands.sweeps(settings.number("tolerance"), scenario))
     if len(scenario.pairs) > 1 and "solver_tolerance" in settings.options:

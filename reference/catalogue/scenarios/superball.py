@@ -140,9 +140,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if found is None:
         return None
     if method.rule == MUJOCO_SPRING:
-        left = sum(term.share for term in found.terms) * (10.0 ** (IMPACTS - 2) - 1)
+        left = sum(term.share for term in found.terms) * (10.0 ** (IMPACTS - 1) - 1)
         return replace(
-            found, terms=(*found.terms, Term("each impact but the first two makes an error ten times larger", left))
+            found, terms=(*found.terms, Term("each impact but the first makes an error ten times larger", left))
         )
     turn = float(np.linalg.norm(scenario.body("ball").angular_velocity)) * settings.timestep
     if method.rule == BULLET and TWO_CONTACTS[0] < turn < TWO_CONTACTS[1]:

@@ -111,20 +111,6 @@ def two_balls(rng) -> Scenario:
     return Scenario("random", (struck, striker), (pair,), 0.08, (0.0, 0.0, 0.0))
 
 
-def rough_bounce(rng) -> Scenario:
-    """A ball that spins, thrown at a turned plane."""
-    turn, radius = turned_at_random(rng), rng.uniform(0.04, 0.1)
-    start, velocity = (
-        geometry.rotate(turn, np.array(each))
-        for each in ((0.0, 0.0, radius + 0.0203), (*rng.uniform(-2, 2, size=2), -2.0))
-    )
-    ball = Body("ball", Sphere(radius), 10 ** rng.uniform(-1, 1), tuple(start), velocity=tuple(velocity))
-    ball = replace(ball, angular_velocity=tuple(rng.uniform(-40, 40, size=3)))
-    plane = Body("plane", HalfSpace(tuple(geometry.rotate(turn, np.array([0.0, 0.0, 1.0])))))
-    pair = Pair("ball", "plane", rng.uniform(0.3, 1.0), rng.uniform(0.1, 0.8))
-    return Scenario("random", (plane, ball), (pair,), 0.08, (0.0, 0.0, 0.0))
-
-
 def fast_along_x(rng) -> Scenario:
     return on_a_slope(rng, 0.0, rng.uniform(0.05, 0.5), rng.uniform(8, 20), rng.uniform(0.05, 0.2), 0.5, towards_x=True)
 
@@ -195,7 +181,6 @@ TERMS = [
     ),
     Measured("a step in which Bullet loses corners", "pybullet", fast_along_x, sliding.predict, at_the_places),
     Measured("the tolerance of MuJoCo's solver", "mujoco", two_balls, striking.predict, at_the_ends, "spring", 60),
-    Measured("the tolerance of MuJoCo's solver", "mujoco", rough_bounce, striking.predict, at_the_ends, "spring", 60),
 ]
 
 
