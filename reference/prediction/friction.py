@@ -48,6 +48,25 @@ def by_limits(
     return speeds, slips
 
 
+def by_arms(
+    speed: float, pull: float, limits: Array, arms: Array, gyration: float, softness: float = 0.0, static: float = 1.0
+) -> tuple[Array, Array]:
+    """As `by_limits`, of a ball whose arm changes while it sinks in: each impulse turns it by the arm of its own step.
+
+    arms: (steps + 1,), m, after each step. gyration: I/m of the ball, m².
+    """
+    turning = 0.0  # rad/s, forwards
+    speeds, slips = [speed], [speed]
+    for most, arm, after in zip(limits.tolist(), arms[:-1].tolist(), arms[1:].tolist(), strict=True):
+        impulse = (speed + pull - arm * turning) / ((1 + arm**2 / gyration) * (1 + softness))
+        if abs(impulse) > static * most:
+            impulse = math.copysign(most, impulse)
+        speed, turning = speed + pull - impulse, turning + impulse * arm / gyration
+        speeds.append(speed)
+        slips.append(speed - after * turning)
+    return np.array(speeds), np.array(slips)
+
+
 def by_hand(speed: float, pull: float, static: float, kinetic: float, steps: int) -> Array:
     """Speed after each step, (steps + 1,), m/s, as the lecture's friction makes it: against the velocity before it.
 

@@ -92,12 +92,19 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             )
             arms = body.shape.radius + _share_of_overlap(settings, method) * (gaps + ahead_by)
         turning = _turning(body, normal, ahead, method, holds, float(arms[-1]))
-        courses = [
-            friction.step_by_step(drive.pull, limits, dt, speed, *turning, static=more)
-            if drive
-            else friction.by_limits(speed * share, pull * share, limits, *turning, static=more)
-            for share in (float(axis @ ahead) for axis in axes)
-        ]
+        shares = [float(axis @ ahead) for axis in axes]
+        if drive:
+            courses = [friction.step_by_step(drive.pull, limits, dt, speed, *turning, static=more)]
+        elif np.ptp(arms) > 0:
+            gyration = body.moments_of_inertia()[0] / body.mass
+            courses = [
+                friction.by_arms(speed * share, pull * share, limits, arms, gyration, turning[1], more)
+                for share in shares
+            ]
+        else:
+            courses = [
+                friction.by_limits(speed * share, pull * share, limits, *turning, static=more) for share in shares
+            ]
     position = np.array(body.position) + (gaps - gaps[0])[:, None] * normal
     velocity, spin = rates[:, None] * normal, np.zeros((steps + 1, 3))
     for axis, (speeds, slips) in zip(axes, courses, strict=True):
@@ -283,7 +290,7 @@ def _terms(
     """
     found, options, a_box = [bands.contact(settings.timestep)], settings.options, isinstance(body.shape, Box)
     if method.rule in (MUJOCO_ONE_STEP, DART):
-        if isinstance(body.shape, Sphere):
+        if isinstance(body.shape, Sphere) and method.rule == MUJOCO_ONE_STEP:
             found.append(bands.sinking(deepest / body.shape.radius, settings.steps_for(scenario.duration)))
         if "margin" not in options:
             found.append(bands.first_step(fall, settings.timestep))

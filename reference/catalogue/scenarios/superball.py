@@ -45,6 +45,8 @@ TWO_CONTACTS = (0.03, 0.05)
 """By which way of its surface in a step, as a share of its radius, a ball keeps the contact of the last step in Bullet
 beside the new one. With less Bullet takes the two for one, and with more it forgets the old one. Measured: with spins
 from 33 to 48 rad/s at 1 ms, and with none from 5 to 60 rad/s at 0.5 or 2 ms."""
+UNTURNED = 1e-9
+"""A difference of less than this between the turns of two steps, rad, is none."""
 TURNED_BY_TWO = Term("a contact that Bullet keeps beside the new one, and which has turned with the ball", 1e-4)
 """A share of the speed along the floor. 2.5·10⁻⁵ was measured at most, beside a spin of 0.04 rad/s about the normal,
 which no number here has."""
@@ -144,8 +146,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         return replace(
             found, terms=(*found.terms, Term("each impact but the first makes an error ten times larger", left))
         )
-    turn = float(np.linalg.norm(scenario.body("ball").angular_velocity)) * settings.timestep
-    if method.rule == BULLET and TWO_CONTACTS[0] < turn < TWO_CONTACTS[1]:
+    turns = np.linalg.norm(found.trajectory.angular_velocity("ball"), axis=1) * settings.timestep
+    before = turns[np.abs(turns - turns[-1]) > UNTURNED]  # an impact: after the last one none takes two contacts
+    if method.rule == BULLET and np.any((before > TWO_CONTACTS[0]) & (before < TWO_CONTACTS[1])):
         return replace(found, terms=(*found.terms, TURNED_BY_TWO))
     return found
 
