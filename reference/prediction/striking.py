@@ -218,7 +218,7 @@ class Striking:
                     raise NoRule
 
     def _runge_kutta(self, state: State) -> State:
-        """MuJoCo's classical fourth order, for turns that of Munthe-Kaas, with spins in the bodies' own frames.
+        """MuJoCo 4.0's classical fourth order, for turns that of Munthe-Kaas, with spins in the bodies' own frames.
 
         A stage adds up rates of the turn θ since the start of the step. With the spin ω in the turned body's frame that
         rate is ω + θ × ω/2 + θ × (θ × ω)/12. The spins themselves MuJoCo adds up as they are in these frames.
