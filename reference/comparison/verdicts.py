@@ -56,9 +56,10 @@ class Row:
 
     expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
     ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
-    number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
-    written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
-    evidence: whether bodies that never leave their start would have another verdict, so that this one says something.
+    number must be to it; off: the largest difference from it, measured less predicted, of any one of an ensemble; None
+    where no recurrence is written. note: why there is no number, or why it deviates. All numbers are finite and in
+    `unit`, or None. evidence: whether bodies that never leave their start would have another verdict, so that this one
+    says something.
     engine_version, adapter_version: the version of the engine that gave the number, or should have, and that of the lab
     which told it the scenario; of a recording the second is not known. recorded_on: on which day the number was
     recorded (ISO 8601); empty where the engine ran here.

@@ -336,6 +336,12 @@ def test_every_member_of_an_ensemble_is_judged_by_its_own_prediction():
     assert accepted.band == pytest.approx(2.999e-3)  # a share of the number, or of one unit
 
 
+@pytest.mark.parametrize(("heights", "off"), [((1.001, 2.0, 2.996), 4e-3), ((1.005, 2.0, 2.998), -5e-3)])
+def test_the_difference_from_a_prediction_has_the_sign_of_measured_less_predicted(heights, off):
+    (row,) = compare(predicted(*heights))
+    assert row.off == pytest.approx(off)
+
+
 def test_a_number_that_the_recurrence_does_not_have_fails():
     found = predicted(1.0, 2.0, 11.0)
     (row,) = compare(replace(found, quantities=(Quantity("height", "height", "m", height_below_ten, None),)))

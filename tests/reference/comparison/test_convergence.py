@@ -25,5 +25,11 @@ def test_the_order_is_read_from_the_errors_above_rounding():
     assert order_of([1e-3], [1e-3], 1.0) is None
 
 
+@pytest.mark.parametrize("unit", [1e6, 1e-6])
+def test_which_errors_are_rounding_does_not_depend_on_the_unit(unit):
+    errors = [unit * error for error in (1.6e-7, 4e-8, 1e-8, 1e-13)]
+    assert order_of([4e-3, 2e-3, 1e-3, 5e-4], errors, -unit) == pytest.approx(2)
+
+
 def test_errors_that_grow_as_the_timestep_shrinks_have_a_negative_order():
     assert order_of([4e-3, 2e-3, 1e-3], [1.0, 2.0, 4.0], 1.0) == pytest.approx(-1)

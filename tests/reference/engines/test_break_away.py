@@ -58,6 +58,14 @@ def test_exact_slabs_of_a_batch_break_away_each_at_its_own_instant():
     assert instants[2] == []
 
 
+def test_the_instant_is_read_back_to_where_the_jump_of_friction_starts_the_slide():
+    scenario = FAMILY.case("μs=0.5,μk=0.3,rate=30").scenarios[0]
+    run = load_engine("handwritten").run(scenario, load_engine("handwritten").settings(scenario, "exact"))
+    leaves = 0.5 * 1.5 * GRAVITY / 30
+    assert FAMILY.quantity("break_away").measure(run) == pytest.approx(leaves, rel=1e-9)
+    assert FAMILY.quantity("push").measure(run) == pytest.approx(0.5 * 1.5 * GRAVITY, rel=1e-9)
+
+
 @pytest.mark.parametrize(
     ("name", "profile"), [*((name, "tuned") for name in ("pybullet", "mujoco", "dart")), ("handwritten", "step")]
 )

@@ -13,6 +13,7 @@ from reference.engines import load_engine
 from reference.prediction import edges
 from reference.prediction.edge_impact import meeting
 from reference.scene import geometry
+from reference.scene.trajectory import held
 
 FAMILY = catalogue()["crossed-edges"]
 SCENARIO = FAMILY.case("e=0.6,m=3.1,angle=111°").scenarios[0]
@@ -42,6 +43,17 @@ def test_the_impulse_keeps_both_momenta_and_turns_the_approach_back():
         spin = np.linalg.solve(inertia, np.cross(arm, side * j * met.normal))
         points.append(np.array(body.velocity) + side * j / body.mass * met.normal + np.cross(spin, arm))
     assert (points[0] - points[1]) @ met.normal == pytest.approx(0.6 * CLOSING, rel=1e-12)
+
+
+def test_boxes_that_pull_at_each_other_have_negative_impulses():
+    normal = meeting(SCENARIO.body("upper"), SCENARIO.body("lower")).normal  # from the lower box to the upper one
+    still = held(SCENARIO, load_engine("handwritten").settings(SCENARIO, "world"))
+    velocities = still.velocities.copy()
+    for name, impulse in (("upper", -0.7), ("lower", 0.4)):
+        velocities[-1, SCENARIO.index(name)] += impulse / SCENARIO.body(name).mass * normal
+    made = replace(still, velocities=velocities)
+    measured = [FAMILY.quantity(name).measure(made) for name in ("upper", "lower")]
+    assert measured == pytest.approx([-0.7, -0.4], rel=1e-12)
 
 
 @pytest.mark.parametrize("engine", ["handwritten", "pybullet", "mujoco", "dart"])
