@@ -92,10 +92,11 @@ def crowd_step(
         ),
         len(p),
     )
-    if positive("horizon", horizon) < positive("dt", dt):
+    # Rounding may make equal times differ: 0.3 is less than 3 · 0.1.
+    if positive("horizon", horizon) < (1 - 1e-12) * positive("dt", dt):
         raise ValueError(
-            f"horizon must be no shorter than the step, {dt:g} s, not"
-            f" {horizon:g} s: discs could meet within the step"
+            f"horizon must be no shorter than the step, {dt} s, not"
+            f" {horizon} s: discs could meet within the step"
         )
     i, j = _who_may_meet(p, r, speed, horizon, sight)
     point, normal = orca_half_plane(

@@ -215,12 +215,17 @@ def _table(name: str, values: ArrayLike, count: int) -> Array:
         name, finite(name, not_negative(name, values)), (count, count)
     )
     if np.any(table != table.T) and np.ndim(values) == 1:
+        advice, letter = "", name[0]
+        if np.asarray(values).dtype != bool:
+            advice = (
+                f". For one {letter} of each body give each a material,"
+                f" material=range({len(table)}), and as the table for instance"
+                f" np.sqrt(np.outer({letter}, {letter}))"
+            )
         raise ValueError(
-            f"{name} must be one number, or a table (k, k) of each two"
-            f" materials, not {np.shape(values)}: two bodies that meet have one"
-            " in common. For one e of each body give each a material,"
-            f" material=range({len(table)}), and as the table for instance"
-            " np.sqrt(np.outer(e, e))"
+            f"{name} must be one value, or a table (k, k) of each two"
+            f" materials, not {np.shape(values)}: two bodies that meet have it"
+            f" in common{advice}"
         )
     if np.any(table != table.T):
         a, b = np.argwhere(table != table.T)[0]

@@ -55,9 +55,10 @@ def hidden_places(
 
     Notes
     -----
-    Take a body X that touches Y with the normal n at a place p of Y's surface,
-    and that touches Z with the normal n' at a place p' of Z's surface. Z keeps
-    X above the plane through p' across n'. X cannot reach p if
+    Take a convex piece X that touches Y with the normal n at a place p of Y's
+    surface, and that touches Z with the normal n' at a place p' of Z's surface. Z
+    keeps X above the plane through p' across n', because X is convex. Another piece
+    of the same body may be below it. X cannot reach p if
 
         n'·(p − p') ≤ 0,    p is not above this plane, and
         p + λ t is not in Y,    Y does not go on above the plane.
@@ -74,14 +75,20 @@ def hidden_places(
     count = len(separation)
     if not count or np.all(np.vecdot(normal, normal[0]) ** 2 > 1 - SAME_WAY):
         return np.zeros(count, dtype=bool)
-    x, y = np.concatenate(body), np.concatenate(piece[::-1])
+    x, y = np.concatenate(piece), np.concatenate(piece[::-1])
     way = np.concatenate([normal, -normal])
     place = np.concatenate([point, point]) - way * (
         np.tile(separation, 2)[:, None] / 2
     )
     found = np.zeros(2 * count, dtype=bool)
     of, by = _neighbours(
-        x, y, np.concatenate(body[::-1]), way, movable, has_corners
+        x,
+        y,
+        np.concatenate(body),
+        np.concatenate(body[::-1]),
+        way,
+        movable,
+        has_corners,
     )
     if not len(of):
         return found[:count]
@@ -102,6 +109,7 @@ def hidden_places(
 def _neighbours(
     x: Integers,
     y: Integers,
+    body_x: Integers,
     body_y: Integers,
     way: Array,
     movable: Booleans,
@@ -115,8 +123,8 @@ def _neighbours(
     none = np.zeros(0, dtype=np.int64)
     if not np.any(has_corners[y]):
         return none, none
-    bodies = len(movable)
-    group = np.where(movable[x], x, bodies * (1 + x) + body_y)
+    pieces, bodies = len(has_corners), len(movable)
+    group = np.where(movable[body_x], x, pieces + bodies * x + body_y)
     order = np.argsort(group, kind="stable")
     starts = np.flatnonzero(np.diff(group[order], prepend=-1))
     size = np.diff(starts, append=len(order))

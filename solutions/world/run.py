@@ -82,8 +82,9 @@ def run_world(
 
     Notes
     -----
-    A run can be continued from its last state. With its memory the second part is the
-    same as if the run had gone on, to the last digit:
+    A run can be continued from the state after its last step, which is kept if `every`
+    divides `steps`. With its memory the second part is the same as if the run had gone
+    on, to the last digit, or to rounding of the time where forces ask for it:
 
         first = run_world(bodies, start, g, dt, 100)
         last = State(*(array[-1] for array in first))
@@ -98,10 +99,17 @@ def run_world(
     v⁺ = v + Δt F(x, v, t)/m, and x⁺ = x + Δt v⁺.
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
-        if count < least or count != int(count):
+        if not isinstance(count, int | np.integer) or count < least:
             raise ValueError(
-                f"{name} must be a whole number from {least}, not {count}"
+                f"{name} must be a whole number from {least}, not {count!r}"
             )
+    if not isinstance(memory, Memory):
+        raise ValueError(
+            "memory must be what another run left in its attribute memory, or"
+            f" left out, not {type(memory).__name__}"
+        )
+    if callable(forces) or not all(map(callable, forces)):
+        raise ValueError(f"forces must be a list of functions, not {forces!r}")
     start, kept = float(finite("time", time)), [state]
     acting = [
         _with_time(f"forces[{i}]", each) for i, each in enumerate(forces)
@@ -139,10 +147,10 @@ def _with_time(
         if each.default is each.empty
         and each.kind not in (each.VAR_POSITIONAL, each.VAR_KEYWORD)
     ]
-    if len(needed) < 2:
+    if len(needed) == 1 or (not needed and parameters):
         return lambda state, now: force(state)
-    if len(needed) > 2:
-        names = ", ".join(each.name for each in needed)
+    if len(needed) != 2:
+        names = ", ".join(each.name for each in needed) or "nothing"
         raise ValueError(
             f"{name} must be a function of the state, or of the state and the"
             f" time, not of {names}"
@@ -162,7 +170,7 @@ def _checked(name: str, found: Any, loads: Array, now: float) -> Array:
     if not isinstance(found, tuple | list | np.ndarray):
         raise ValueError(f"{wanted} {type(found).__name__}")
     if len(found) != 2:
-        raise ValueError(f"{wanted} {len(found)}")
+        raise ValueError(f"{wanted} {len(found)} of them")
     try:
         parts = [np.asarray(each) for each in found]
     except ValueError:

@@ -39,6 +39,7 @@ SimpleState = tuple[Array, Array, Array, Array]
 """position, orientation, velocity, angular_velocity."""
 SimpleContacts = tuple[Integers, Integers, Array, Array, Array, Integers]
 """body_a, body_b, point, normal, separation, key."""
+NEAR = 1e-9
 TOUCHES = {
     (BALL, BALL): sphere_sphere,
     (BALL, CUBOID): sphere_box,
@@ -55,7 +56,8 @@ def manifolds(
     """All places at which some pairs of bodies touch, or nearly do.
 
     Those are left out that no body can reach, because another one is in front,
-    such as the side of a box that lies level beside the next one.
+    such as the side of a box that lies level beside the next one; and two balls
+    that approach, but pass each other if they go straight on.
 
     Parameters
     ----------
@@ -101,6 +103,8 @@ def manifolds(
     )
     order = np.argsort(pair, kind="stable")
     a, b = first[pair[order]], second[pair[order]]
+    meets = ~_pass(kind, size, state, a, b)
+    order, a, b = order[meets], a[meets], b[meets]
     key = (a * len(kind) + b) * FEATURES + feature[order]
     places = point[order], normal[order], separation[order]
 
@@ -115,6 +119,27 @@ def manifolds(
     seen = np.flatnonzero(~hidden)
     point, normal, separation = (each[seen] for each in places)
     return a[seen], b[seen], point, normal, separation, key[seen]
+
+
+def _pass(
+    kind: Integers,
+    size: Array,
+    state: SimpleState,
+    a: Integers,
+    b: Integers,
+) -> Booleans:
+    """Which two bodies (m,) are balls that approach, and pass each other.
+
+    Balls at x and with the relative velocity w are nearest after t = −x·w/w². By
+    the share `NEAR` of their radii they may miss, so that rounding separates none.
+    """
+    x, w = (each[a] - each[b] for each in (state[0], state[2]))
+    approach, squared = -np.vecdot(x, w), np.vecdot(w, w)
+    nearest = x + w * (approach / np.where(squared > 0, squared, 1.0))[:, None]
+    apart = (1 + NEAR) * (size[a, 0] + size[b, 0])
+    balls = (kind[a] == BALL) & (kind[b] == BALL)
+    misses = np.vecdot(nearest, nearest) > apart**2
+    return np.asarray(balls & (approach > 0) & misses)
 
 
 def _placed(

@@ -40,9 +40,9 @@ def two(**others):
         ({"collide": [[True, False], [True, True]]}, "collide must be the same"),
         (
             {"restitution": [0.2, 0.9]},
-            r"one number, or a table .* not \(2,\): .* material=range\(2\), .*np.sqrt\(np.outer",
+            r"one value, or a table .* not \(2,\): .* material=range\(2\), .*np.sqrt\(np.outer",
         ),
-        ({"friction": [0.2, 0.9, 0.3], "material": [2, 0]}, r"friction must be one number, .* material=range\(3\)"),
+        ({"friction": [0.2, 0.9, 0.3], "material": [2, 0]}, r"friction must be one value, .* material=range\(3\)"),
     ],
 )
 def test_coefficients_that_no_pair_of_materials_has_are_refused(given, says):

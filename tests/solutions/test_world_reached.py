@@ -188,6 +188,47 @@ def test_a_box_in_a_corner_keeps_the_floor_and_the_wall():
             assert {int(each) for each in met.body_a if each != 2} == {0, 1}, (q, sunk)
 
 
+UPRIGHT = (1.0, 0, 0, 0)
+LEGS = [(("box", (0.4, 0.1, 0.05)), (0, 0, 0), UPRIGHT)]
+LEGS += [(("box", (0.05, 0.1, 0.1)), (x, 0, -0.15), UPRIGHT) for x in (0.35, -0.35)]
+ROOM = [(("box", (3, 3, 0.5)), (0, 0, -0.5), UPRIGHT), (("box", (0.2, 3, 1)), (1.2, 0, 0.5), UPRIGHT)]
+
+
+def test_each_piece_of_a_body_is_kept_by_what_it_touches_and_hides_no_other_piece():
+    """A table whose top meets the wall while its legs stand on the floor; and a saddle of two plates on a ridge."""
+    bodies = make_bodies([("compound", LEGS), ("compound", ROOM)], [5.0, np.inf], [[1.0] * 3, FIXED])
+    met = find_contacts(bodies, make_state([[0.6001, 0, 0.25 - 1e-6], [0, 0, 0]]), 1e-4)
+    assert {tuple(normal) for normal in np.round(met.normal, 9) + 0.0} == {(-1, 0, 0), (0, 0, 1)}
+    half = np.radians(40)
+    plank = [
+        (("box", (0.5, 0.2, 0.02)), (s * 0.5 * np.cos(half), 0, -0.5 * np.sin(half)), turn_about_y(s * half))
+        for s in (1, -1)
+    ]
+    bodies = make_bodies([("compound", plank), ("compound", plank)], [2.0, np.inf], [[1.0] * 3, FIXED])
+    met = find_contacts(bodies, make_state([[0, 0, 0.04 / np.cos(half)], [0, 0, 0]]), 1e-4)
+    assert np.ptp(np.sign(met.normal[:, 0])) == 2  # both slopes carry it
+
+
+def turn_about_y(angle):
+    return (np.cos(angle / 2), 0.0, np.sin(angle / 2), 0.0)
+
+
+@pytest.mark.parametrize("dt", [1e-3, 1 / 60])
+def test_in_the_world_of_the_lab_marbles_that_pass_exchange_nothing(dt):
+    for shift in (5.0, 5.4, 5.8):
+        bodies, state = world(
+            [
+                thing(BALL, 0.008, 1.0, turned([-5 * dt * shift - 0.01, 0.0135, 0])[0], velocity=5 * R[:, 0]),
+                thing(BALL, 0.005, 2.0),
+            ]
+        )
+        memory = None
+        for _ in range(15):
+            *state, key, impulse = step_world(bodies, tuple(state), NO_WEIGHT, dt, (0.02, 1e-3, 20), memory)
+            memory = key, impulse
+        assert not np.any(state[2][1])
+
+
 def test_in_the_world_of_the_lab_nothing_rebounds_before_it_touches_and_no_seam_stops():
     floor = [thing(BOX, half[:3], position=half[3:]) for half in LEVEL["T"]]
     for kind, size, height in ((BOX, (0.1, 0.08, 0.05), 0.05), (BALL, 0.06, 0.06)):
