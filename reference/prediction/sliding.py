@@ -115,14 +115,13 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     trajectory = trajectory_of(scenario, settings, {body.name: Path(position, velocity, spin)})
     fastest = float(np.max(np.linalg.norm(velocity, axis=1)))
     terms = _terms(scenario, body, settings, method, fastest=fastest, deepest=-float(np.min(gaps)), fall=fall)
-    if method.rule in (MUJOCO_ONE_STEP, BULLET) and isinstance(body.shape, Box):
-        height, friction_in_a_step = _height_over_width(body, normal, ahead), kinetic * abs(fall)
+    friction_in_a_step = kinetic * abs(fall)
+    if method.rule == MUJOCO_ONE_STEP and isinstance(body.shape, Box):
+        height = _height_over_width(body, normal, ahead)
         near_critical = abs(pull - friction_in_a_step) < NEAR_CRITICAL * abs(pull)
-        if method.rule == MUJOCO_ONE_STEP and (turned := _turned_back(courses)):
+        if turned := _turned_back(courses):
             terms.append(bands.Term("friction that finds another slip where a box turns back", turned * turning[1]))
-        if method.rule == BULLET:
-            terms += [bands.bullets_corners(height)] * (drive is not None or near_critical)
-        elif drive:
+        if drive:
             terms.append(bands.rocking_driven(dt))
         elif holds:
             terms.append(bands.creeping(height, abs(pull), scenario.duration))
@@ -130,10 +129,13 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             terms.append(
                 bands.rocking(height, friction_in_a_step, fall, scenario.duration, near_critical and speed == 0)
             )
+    if method.rule == BULLET and isinstance(body.shape, Box) and friction_in_a_step and not drive:
+        left, count = abs(abs(pull) / friction_in_a_step - 1), settings.number("solver_iterations")
+        terms.append(bands.bullets_corners(friction_in_a_step, left, count, scenario.duration))
     if drive and method.rule != RESPOND_THEN_STEP:
         terms.append(bands.late(_late(drive, pair, fall)))
         if method.rule == BULLET:
-            terms.append(bands.bullets_limit(kinetic * abs(fall), settings.number("solver_iterations")))
+            terms.append(bands.bullets_limit(friction_in_a_step, settings.number("solver_iterations")))
     return Prediction(trajectory, tuple(terms))
 
 

@@ -119,7 +119,7 @@ def test_stock_dart_lets_a_ball_roll_as_predicted(installed):
     assert np.max(np.abs(positions(found.trajectory) - positions(engine.run(scenario, settings)))) < 1e-7
 
 
-BULLET_SETTINGS = Settings(1e-3, options={"coordinates": "multibody", "ground": "box"})
+BULLET_SETTINGS = Settings(1e-3, options={"coordinates": "multibody", "ground": "box", "solver_iterations": 200})
 BULLETS = Method(AT_STEP, rest_speed=0.2, rule=BULLET)
 
 
