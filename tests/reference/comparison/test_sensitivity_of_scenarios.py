@@ -31,7 +31,6 @@ EXCEPTIONS = {
     # leaves is more: 1.5·10⁻⁶ m and up of a box that rocks in MuJoCo, 3·10⁻⁷ m of a ball or of corners in DART.
     ("sliding-slab", "timestep"): "mujoco",
     ("incline", "timestep"): "mujoco dart",
-    ("critical-incline", "timestep"): "mujoco dart",
     ("sliding-ball", "timestep"): "mujoco dart",
     ("rolling-ball", "timestep"): "mujoco dart",
     # Nor is the way aside of a slab a shift, or the lean of a cube: each is as large as its band.
@@ -48,6 +47,15 @@ EXCEPTIONS = {
     ("slab-at-30-degrees", "sign"): "mujoco",
     # Half a step of 0.1 ms at a break-away is less than what the rocking leaves. DART's heading has no sign: 10⁻⁵ °.
     ("break-away", "sign"): "mujoco dart",
+    # The speed that is read may be μ g dt too large: the instant is then 0.3 ms too early, 0.12 % of what it takes.
+    ("break-away", "friction"): "mujoco",
+    ("break-away", "gravity"): "mujoco",
+    # A ball rests after whole steps of 1 ms: 0.11 % of 1.35 s is one and a half.
+    ("ball-to-rest", "gravity"): "dart",
+    # By hand the run has as many steps as cover it, so that another timestep leads to nearly the same end.
+    ("critical-incline", "timestep"): "handwritten mujoco dart",
+    # Where a spring almost grips a spinning ball, MuJoCo's solver leaves as much as 0.16 % of the friction.
+    ("superball", "friction"): "mujoco",
     # The way in exactly 1 s depends on the number of steps alone, of which there are 1000: one more or less is 0.1 %.
     ("tipping-box", "timestep"): "handwritten pybullet mujoco dart",
     # The Runge–Kutta method by hand is of fourth order: what longer steps change is less than what rounding may.
