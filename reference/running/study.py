@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import itertools
 import logging
-import math
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -164,7 +163,7 @@ def run_job(job: Job) -> JobResult:
     asked, rows = Question.of(family, engine), list[Row]()
     series, shown, tracks = None, "", list[Track]()
     cases = job.cases_in(family, engine)  # where no case has the profile, the first one says so
-    told = {case.name: _told(case, engine, job) for case in cases}
+    told = {case.name: engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes)) for case in cases}
     ran = _together(engine, cases, told)
     for case in cases:
         settings = told[case.name]
@@ -194,21 +193,6 @@ def run_job(job: Job) -> JobResult:
         seconds=time.perf_counter() - start,
         processor_seconds=time.process_time() - used,
     )
-
-
-def _told(case: Case, engine: Engine, job: Job) -> Settings:
-    """The settings of a case, with what the job changes.
-
-    A run in steps goes on for less than a step after the end of its scenario, and its recurrence knows. One without
-    such steps has no recurrence, and theory knows the end alone: so it gets a timestep that leads there.
-    """
-    settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
-    durations = {each.duration for each in case.scenarios if not isinstance(each, Survey)}
-    if job.profile != EXACT or not job.changes or len(durations) != 1:
-        return settings
-    (duration,) = durations
-    count = settings.steps_for(duration)
-    return settings if math.isclose(count * settings.timestep, duration) else settings.change(timestep=duration / count)
 
 
 def _together(engine: Engine, cases: Sequence[Case], told: Mapping[str, Settings]) -> dict[str, list[Trajectory]]:

@@ -56,9 +56,9 @@ def hidden_places(
     Notes
     -----
     Take a convex piece X that touches Y with the normal n at a place p of Y's
-    surface, and that touches Z with the normal n' at a place p' of Z's surface. Z
-    keeps X above the plane through p' across n', because X is convex. Another piece
-    of the same body may be below it. X cannot reach p if
+    surface, and that touches Z with the normal n' at a place p' of Z's
+    surface. Z keeps X above the plane through p' across n', because X is
+    convex. Another piece of the same body may be below it. X cannot reach p if
 
         n'·(p − p') ≤ 0,    p is not above this plane, and
         p + λ t is not in Y,    Y does not go on above the plane.

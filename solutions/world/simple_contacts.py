@@ -56,8 +56,8 @@ def manifolds(
     """All places at which some pairs of bodies touch, or nearly do.
 
     Those are left out that no body can reach, because another one is in front,
-    such as the side of a box that lies level beside the next one; and two balls
-    that approach, but pass each other if they go straight on.
+    such as the side of a box that lies level beside the next one; and two
+    balls that approach, but pass each other if they go straight on.
 
     Parameters
     ----------
@@ -130,8 +130,9 @@ def _pass(
 ) -> Booleans:
     """Which two bodies (m,) are balls that approach, and pass each other.
 
-    Balls at x and with the relative velocity w are nearest after t = −x·w/w². By
-    the share `NEAR` of their radii they may miss, so that rounding separates none.
+    Balls at x and with the relative velocity w are nearest after t = −x·w/w².
+    They may miss by the share `NEAR` of their radii, so that rounding
+    separates none.
     """
     x, w = (each[a] - each[b] for each in (state[0], state[2]))
     approach, squared = -np.vecdot(x, w), np.vecdot(w, w)

@@ -133,9 +133,3 @@ def test_a_result_can_be_pickled():
     result = run_job(STUDIED)
     assert None not in (result.series, result.convergence, result.split)
     assert pickle.loads(pickle.dumps(result)) == result
-
-
-def test_an_exact_run_ends_where_its_scenario_does_also_if_no_whole_number_of_steps_leads_there():
-    rows = run_job(Job("two-frictions", "handwritten", "exact", changes=(("timestep", 0.0037),))).rows
-    assert Verdict.FAIL not in {row.verdict for row in rows}
-    assert any(row.verdict is Verdict.PASS and row.evidence for row in rows)
