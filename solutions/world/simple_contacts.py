@@ -40,6 +40,9 @@ SimpleState = tuple[Array, Array, Array, Array]
 SimpleContacts = tuple[Integers, Integers, Array, Array, Array, Integers]
 """body_a, body_b, point, normal, separation, key."""
 NEAR = 1e-9
+"""Share of two radii by which balls may miss and yet touch; positions of a few
+metres round by 1e-15 m, and what rests overlaps by more.
+"""
 TOUCHES = {
     (BALL, BALL): sphere_sphere,
     (BALL, CUBOID): sphere_box,
