@@ -103,8 +103,6 @@ def advance_world(
         # last step.
         before = speeds(rows, state.velocity, state.angular_velocity)
         start = remembered(memory, contacts, rows)
-        strikes = np.any(before[:, 0] < -rules.rest_speed)
-        unsettled = 0 if strikes else memory.unsettled
         after_velocity, after_spin, impulse = RESPONSES[rules.response](
             Question(
                 contacts,
@@ -116,7 +114,7 @@ def advance_world(
                 wanted,
                 restitution,
                 start,
-                unsettled > 0,
+                memory.unsettled > 0,
                 dt,
                 rules,
             )
@@ -143,7 +141,7 @@ def advance_world(
         Memory(
             contacts.key,
             np.vecmat(impulse, rows.direction),
-            unsettled=max(unsettled - 1, 0),
+            unsettled=max(memory.unsettled - 1, 0),
         ),
         contacts,
     )
