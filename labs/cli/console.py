@@ -49,7 +49,11 @@ class Stream:
 
 
 def own_streams() -> None:
-    """Let both streams be closed, and carry μ and θ even where the system's own encoding cannot."""
+    """Let both streams be closed, and carry μ and θ even where the system's own encoding cannot.
+
+    Where a caller has closed one, Python has none: then what is written there goes nowhere.
+    """
+    sys.stdout, sys.stderr = (each or open(os.devnull, "w") for each in (sys.stdout, sys.stderr))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(encoding="utf-8", errors="replace")

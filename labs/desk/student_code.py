@@ -270,6 +270,8 @@ def _folder() -> Path:
 def named_implementation(implementation: str) -> str:
     """What `--implementation` names. A notebook stands for its functions, with correct ones for the rest.
 
+    Paths become absolute, as the code of a file may go to another folder.
+
     Raises
     ------
     UnreadableSubmission
@@ -281,7 +283,7 @@ def named_implementation(implementation: str) -> str:
     if path.suffix != ".ipynb":
         if implementation != Implementation.source:  # a student's tree lacks the package that stands here by default
             Implementation(implementation).check()
-        return implementation
+        return Implementation(implementation).wherever().source
     written = [name for name, entry in lecture.FUNCTIONS.items() if entry.role == "written"]
     found = read(path, written)
     topics = {lecture.function(name).topic for name in found.functions}

@@ -47,6 +47,14 @@ class Implementation:
         """Each of the packages and files, in the order in which they are searched."""
         return tuple(part.strip() for part in self.source.split("|"))
 
+    def wherever(self) -> Implementation:
+        """The same code, also for who is in another folder: the paths of files are absolute."""
+        return Implementation(
+            " | ".join(
+                str(Path(source).absolute()) if Path(source).suffix == ".py" else source for source in self.sources
+            )
+        )
+
     def check(self) -> None:
         """Refuse sources that cannot be loaded, and run none of their code.
 

@@ -20,6 +20,7 @@ from reference.errors import (
     RunLost,
     WorkerCrashed,
     WorkerStopped,
+    WorkerTimeout,
     one_line,
 )
 from reference.running.cache import Cache, key_of, key_of_recorded
@@ -183,6 +184,8 @@ def _part_by_part(job: J, work: Work[J, R], timeout: float, refused: R) -> R | N
         except WorkerStopped:
             return None
         except (NeedsFunction, CannotExpress, RunFailed) as error:
+            if isinstance(error, WorkerTimeout):
+                error = WorkerTimeout(f"{error}: its part of {timeout:g} s for all cases")
             found.append(work.refused(part, error, time.perf_counter() - start))
             any_lost = any_lost or _is_lost(error)
     return work.joined(job, found if any_lost else [*found, refused])

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import errno
 import os
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -139,6 +141,13 @@ def test_an_output_that_is_full_is_said_once_and_errors_never():
         for _ in range(2):
             Stream(file).write("a" * 100_000)
             Stream(file).flush()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="where a shell can close a stream")
+def test_a_stream_that_the_caller_has_closed_takes_what_is_written():
+    for closed in (">&-", "2>&-", ">&- 2>&-"):
+        ended = subprocess.run(["sh", "-c", f'"$0" -m labs --version {closed}', sys.executable], capture_output=True)
+        assert (ended.returncode, ended.stderr) == (0, b""), closed
 
 
 def test_a_reader_that_wants_no_more_is_no_error():
