@@ -168,18 +168,26 @@ def drift(trajectory: Trajectory, body: str, window: float) -> float:
     return float(np.max(np.linalg.norm(late - late[0], axis=1)))
 
 
-def displacement(trajectory: Trajectory, body: str) -> float:
-    """Distance between the first and the last position, m."""
-    positions = trajectory.position(body)
-    return float(np.linalg.norm(positions[-1] - positions[0]))
+def at_end(trajectory: Trajectory, body: str) -> tuple[Array, Array]:
+    """Position, m, and velocity, m/s, of a body at the end of its scenario, (3,) each.
 
-
-def way_from_rest(trajectory: Trajectory, body: str, duration: float) -> float:
-    """Way of a body that set out from rest, m, after so many seconds.
-
-    The last sample may lie a little later. The way grows as the time squared, so that much is taken off.
+    Where the timestep does not divide the duration, the last sample lies later, by less than a sample. There the body
+    moves on the cubic through the places and velocities of the last two: exact where the force grows evenly.
     """
-    return displacement(trajectory, body) * (duration / float(trajectory.times[-1])) ** 2
+    times, place, velocity = trajectory.times[-2:], trajectory.position(body)[-2:], trajectory.velocity(body)[-2:]
+    interval = float(times[1] - times[0])
+    s = (trajectory.scenario.duration - float(times[0])) / interval
+    if abs(s - 1) < ROUNDING:
+        return place[1], velocity[1]
+    slope, (first, last) = (place[1] - place[0]) / interval, velocity
+    moved = s * first + s**2 * (3 * slope - 2 * first - last) + s**3 * (first + last - 2 * slope)
+    speed = first + 2 * s * (3 * slope - 2 * first - last) + 3 * s**2 * (first + last - 2 * slope)
+    return place[0] + interval * moved, speed
+
+
+def displacement(trajectory: Trajectory, body: str) -> float:
+    """Distance between the start and the end of the scenario, m."""
+    return float(np.linalg.norm(at_end(trajectory, body)[0] - trajectory.position(body)[0]))
 
 
 def stopping_distance(trajectory: Trajectory, body: str, plane: str) -> float:

@@ -12,6 +12,7 @@ from numpy.polynomial import Polynomial
 from reference.arrays import Array
 from reference.errors import RunFailed
 from reference.scene import geometry
+from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
 _AROUND = 6
@@ -35,6 +36,16 @@ def at(times: Array, values: Array, time: float) -> float:
     if not times[0] <= time <= times[-1]:
         raise RunFailed(f"the run ends at {times[-1]:g} s: it has nothing at {time:g} s")
     return float(_around(times, values, int(np.searchsorted(times, time)))(time))
+
+
+def left_by_curve(settings: Settings, time: float) -> float:
+    """What a curve through the samples leaves of a change that takes so many seconds, as a share of it.
+
+    A polynomial through six samples, h apart, is off by h⁶ f⁽⁶⁾/720 times the product of the distances in samples,
+    which is 17 at most. Its slope, and with it an instant of turning, is off by h⁵ f⁽⁶⁾ 5!/720 at most.
+    """
+    steps = settings.timestep * settings.sample_every / time
+    return max(17 * steps**6, 120 * steps**5) / 720
 
 
 def first_turn(times: Array, values: Array) -> tuple[float, float]:

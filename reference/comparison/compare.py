@@ -14,7 +14,7 @@ from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation, Family, Quantity
 from reference.comparison.verdicts import AS_IT_MUST, NOTHING_FINITE, Row, Verdict, judge, verdict_of
-from reference.engines.base import Engine, Method
+from reference.engines.base import EXACT, Engine, Method
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
@@ -58,7 +58,13 @@ def compare_case(
         blank = Row(family.name, case.name, engine.name, profile, "", "", verdict_of(error))
         note = str(error) + (_too_long(case, settings) if isinstance(error, RunFailed) else "")
         return [replace(blank, note=note, settings=settings.describe())], []
-    return judged(family, case, engine.name, profile, settings, method, numbers, with_evidence=True), trajectories
+    rows = judged(family, case, engine.name, profile, settings, method, numbers, with_evidence=True)
+    if method.kind != EXACT and (too_long := _too_long(case, settings)):  # it may also end with numbers of any size
+        rows = [
+            replace(row, note=f"{row.note}{too_long}".removeprefix("; ")) if row.verdict is Verdict.FAIL else row
+            for row in rows
+        ]
+    return rows, trajectories
 
 
 def _too_long(case: Case, settings: Settings) -> str:

@@ -31,9 +31,8 @@ ULP = 2.0**-52
 """Distance from 1 to the next number in double precision. A result is rounded by half of it at most."""
 IN_SINGLE = 2.0**-24
 """Largest share by which single precision changes a number that is stored in it."""
-IN_A_STEP = 20
-"""Roundings of a step, in ulps: both runs make as many halves of an ulp. A body that turns evenly makes the same ones
-in each step, so that they add up."""
+IN_A_STEP = 10
+"""Roundings of a step, in ulps: both runs make as many halves of an ulp."""
 IN_A_NUMBER = 64
 """Roundings, in ulps, of a number that is read from states: a sum or a quotient of a handful of coordinates, some of
 which are ten times as large as the number."""
@@ -45,8 +44,7 @@ def steps(count: int) -> Term:
     """Rounding of so many steps, which both runs make in an order of their own.
 
     A step rounds a velocity and a position by half an ulp each. A quaternion takes some ten roundings: its turn's sine
-    and cosine, four products added up, and its length. A rotation matrix, as DART has it, takes some twenty: each of
-    its entries is a sum of three products, and of nine entries the quaternion is made.
+    and cosine, four products added up, and its length.
     """
     return Term("rounding of the steps", (IN_A_STEP * count + IN_A_NUMBER) * ULP)
 
@@ -80,16 +78,19 @@ def in_noslip(pressed: float, gripped: float) -> Term:
     return Term("rounding in MuJoCo's noslip passes", (IN_A_FORCE * pressed + IN_A_GRIP * gripped) * ULP / 2)
 
 
+def darts_matrix(turn: float, count: int) -> Term:
+    """What is off in a quaternion that DART takes from I + [φ] + [φ]²/2, for so many turns by a small angle φ, rad.
+
+    Across the axis the matrix does not only turn, but stretches by √(1 + φ⁴/4), φ⁴/8 more than one.
+    """
+    return Term("the matrix by which DART turns", count * turn**4 / 8)
+
+
 # What a solver leaves
 
 UNCONVERGED = 10.0
 """Sweeps that end when a sweep changes no impulse by more than a share leave ρ/(1 − ρ) of that share, where each sweep
 leaves ρ of the error. This is enough up to ρ = 0.9; a row of five equal balls has 0.65 (Gauss–Seidel: cos² π/5)."""
-MUJOCO_SPRUNG = 2e-7
-"""What MuJoCo's Newton solver leaves in a spring's contact, m/s, for one body of three translations alone. It stops
-when a step improves the cost by less than `tolerance`, 10⁻⁸, times the trace of the mass matrix. A cost is m a²/2, so
-that a step of 0.2 ms leaves up to 4.9·10⁻⁸ m/s of it, times the root of trace/(3 m). How much the sixteen steps of a
-contact leave together was measured on random pairs, also with friction: at most 1.3·10⁻⁷."""
 
 
 def sweeps(tolerance: float, scenario: Scenario) -> Term:
@@ -120,10 +121,20 @@ def _trace(bodies: Sequence[Body]) -> float:
     return float(sum(3 * body.mass + sum(body.moments_of_inertia()) for body in bodies))
 
 
+SPRUNG_CONTACT = 3.2e-3
+"""How long MuJoCo's contact of a spring lasts at most, s: sixteen steps of 0.2 ms."""
+
+
 def mujocos_tolerance(bodies: Sequence[Body]) -> Term:
-    """What MuJoCo's solver leaves in the contact of a spring, which takes some sixteen steps of four stages each."""
-    share = MUJOCO_SPRUNG * (_trace(bodies) / (3 * min(body.mass for body in bodies))) ** 0.5
-    return Term("the tolerance of MuJoCo's solver", share)
+    """What MuJoCo's Newton solver leaves in the contact of a spring, m/s.
+
+    It stops when a step improves the cost by less than `tolerance` times the trace of the mass matrix. A cost is
+    m a²/2, so that of the lightest body so much acceleration is off, at most the same way all the time. Against a spin
+    the surface of a ball has 2/5 of its mass, I/r².
+    """
+    lightest = 0.4 * min(body.mass for body in bodies)
+    left = (2 * MUJOCO_TOLERANCE * _trace(bodies) / lightest) ** 0.5
+    return Term("the tolerance of MuJoCo's solver", left * SPRUNG_CONTACT)
 
 
 BULLETS_ACCURACY = 1e-12
@@ -167,7 +178,7 @@ the rounding of some thousand steps, 10⁻¹², a thousand times."""
 
 
 def mesh_in_single(shape: Polyhedron) -> Term:
-    """MuJoCo keeps the vertices of a mesh in single precision, moved and turned to principal axes.
+    """MuJoCo and DART keep the vertices of a mesh in single precision, MuJoCo moved and turned to principal axes.
 
     A face is tilted by what its vertices are off, over the shortest edge. An impact turns with its normal, twice.
     """
@@ -243,15 +254,28 @@ def first_sweeps(tolerance: float, fall: float) -> Term:
     return Term("sweeps of the first step", UNCONVERGED * tolerance * abs(fall))
 
 
+def turning_sweeps(tolerance: float, friction: float, turns: int) -> Term:
+    """What sweeps over four corners leave in a step in which a box turns back, m/s.
+
+    If the friction that ends the slip is a share f below its limit, a sweep takes s f of the error, with s = SLOWED. So
+    sweeps that end at a tolerance leave tolerance/(s f) of the friction, and at most f: √(tolerance/s) at the worst f.
+
+    friction: what it changes of a speed in a step, m/s.
+    """
+    return Term("sweeps where a box turns back", turns * math.sqrt(tolerance / SLOWED) * friction)
+
+
 def late(change: float) -> Term:
     """What a step of delay at a break-away changes of a speed, m/s, and in a second of a way, m."""
     return Term("a break-away a step early or late", change)
 
 
-CREEPING, ROCKING, ROCKING_NEAR_CRITICAL, ROCKING_DRIVEN, CHATTER = 3.0, 1.0, 2.0, 2.0, 0.02
+CREEPING, ROCKING, NEARLY_HELD, SETTING_OUT, ROCKING_DRIVEN, CHATTER = 3.0, 1.0, 2.0, 0.25, 2.0, 0.01
 """A box in MuJoCo stands on four corners and on two in turns, because the main solver does not know of friction. That
 follows no rule that we know. In each step friction takes some speed and turns the box by it, in proportion to height
 over width; what comes back drives the box on. These are the largest shares of it that random boxes need."""
+NEAR_CRITICAL = 0.05
+"""Share of its weight along the plane by which friction is weaker, up to which a box is nearly held."""
 
 
 def creeping(height: float, pull: float, duration: float) -> Term:
@@ -259,14 +283,30 @@ def creeping(height: float, pull: float, duration: float) -> Term:
     return Term("a box that MuJoCo lets creep", CREEPING * height * pull * duration)
 
 
-def rocking(height: float, friction: float, fall: float, duration: float, is_critical: bool) -> Term:
-    """A box that slides rocks, in m; more where its weight pulls it nearly as much as friction holds.
+def rocking(height: float, friction: float, fall: float, duration: float, beyond: float, askew: bool) -> Term:
+    """A box that slides rocks, in m. Without friction it chatters.
 
-    height: in widths. friction, fall: what they change of a speed in a step, m/s. Without friction it chatters.
+    One that sets out from rest rocks more where its pull is hardly beyond the limit of friction, and the longer so if
+    it lies askew to its way.
+
+    height: in widths. friction, fall: what they change of a speed in a step, m/s. beyond: how much more its pull
+    changes, for a box that is at rest at first. askew: whether the way is along none of its axes.
     """
-    share = ROCKING_NEAR_CRITICAL * height if is_critical else ROCKING * height * min(height, 1.0)
+    share = ROCKING * height * min(height, 1.0)
+    if beyond < NEAR_CRITICAL * (friction + beyond):
+        share = NEARLY_HELD * height
+    if askew:
+        share += SETTING_OUT * height * friction / max(abs(beyond), ULP)
     speed = share * friction + CHATTER * height * abs(fall)
     return Term("a box that rocks in MuJoCo", speed * duration)
+
+
+def corner_off(fall: float, timestep: float) -> Term:
+    """A corner of such a box that is off the ground for a step falls so far, and the next step takes that back.
+
+    fall: what weight adds to the speed in a step, m/s.
+    """
+    return Term("a corner that MuJoCo lets off the ground for a step", 2 * abs(fall) * timestep)
 
 
 def rocking_driven(timestep: float) -> Term:

@@ -8,8 +8,10 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.base import DART
+from reference.prediction import bands
 from reference.scene import geometry
 from reference.scene.scenario import Scenario
+from reference.scene.trajectory import Trajectory
 
 SMALL_TURN = 1e-3
 """A turn below this angle, rad, DART makes with the matrix I + [φ] + [φ]²/2, which turns by arcsin |φ|."""
@@ -29,6 +31,13 @@ def darts_turn(turn: Array) -> Array:
     angle = np.linalg.norm(turn, axis=-1, keepdims=True)
     small = (angle > 0) & (angle < SMALL_TURN)
     return np.asarray(np.where(small, np.arcsin(np.where(small, angle, 0.0)) / np.where(small, angle, 1.0), 1.0) * turn)
+
+
+def darts_stretch(trajectory: Trajectory) -> bands.Term:
+    """The term of all turns of a run that are small enough for that matrix."""
+    turns = np.linalg.norm(trajectory.angular_velocities, axis=-1) * trajectory.settings.timestep
+    steps = trajectory.settings.steps_for(trajectory.scenario.duration)
+    return bands.darts_matrix(float(np.max(turns, where=turns < SMALL_TURN, initial=0.0)), steps)
 
 
 class Bodies:

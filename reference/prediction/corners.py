@@ -17,7 +17,7 @@ from reference.engines.dart_settings import SOFTNESS
 from reference.impact_truth import NEWTON, POISSON, STRONGE
 from reference.prediction import bands
 from reference.prediction.axes import bullets_axes, darts_axes
-from reference.prediction.bodies import Bodies, State
+from reference.prediction.bodies import Bodies, State, darts_stretch
 from reference.prediction.both import NoRule
 from reference.prediction.laws import BULLETS_PUSHED_TURN, Law, law_of
 from reference.prediction.predicted import Path, Prediction, trajectory_of
@@ -53,8 +53,10 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     terms = [bands.contact(settings.timestep)]
     if method.law in (POISSON, STRONGE):
         terms.append(bands.FOLLOWED_IMPACT)
-    if method.rule == DART and striking.along_an_edge:
-        terms.append(bands.DARTS_TWO_CORNERS)
+    if method.rule == DART:
+        terms.append(darts_stretch(trajectory))
+        if striking.along_an_edge:
+            terms.append(bands.DARTS_TWO_CORNERS)
     if method.rule == WORLD and striking.along_an_edge:
         terms.append(bands.sweeps(settings.number("tolerance"), scenario))
     return Prediction(trajectory, tuple(terms))

@@ -7,7 +7,7 @@ import numpy as np
 from reference.arrays import Array
 from reference.engines.base import BULLET_DAMPED, DART, Method
 from reference.prediction import integrators, joints
-from reference.prediction.bodies import darts_turn
+from reference.prediction.bodies import darts_stretch, darts_turn
 from reference.prediction.forces import Forces
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
@@ -71,7 +71,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         body.name: Path(ways[:, place, :3], ways[:, place, 7:10], ways[:, place, 10:], ways[:, place, 3:7])
         for place, body in zip(movable, bodies, strict=True)
     }
-    return Prediction(trajectory_of(scenario, settings, paths))
+    trajectory = trajectory_of(scenario, settings, paths)
+    return Prediction(trajectory, (darts_stretch(trajectory),) if method.rule == DART else ())
 
 
 def _lost(damping: float, velocity: Array) -> Array:

@@ -6,6 +6,8 @@ the normal impulse of the same step.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from reference.arrays import Array
@@ -35,8 +37,6 @@ from reference.scene.settings import Settings
 
 STRAIGHT = 1e-9
 """Sine of the angle between two directions that count as one."""
-NEAR_CRITICAL = 0.05
-"""Share of its weight along the plane by which friction is weaker or stronger, up to which a box is near critical."""
 WEAK_IN_DART = 0.01
 """A coefficient of friction that is less, but not zero."""
 WEAK_FRICTION = 1e-6
@@ -118,20 +118,23 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     friction_in_a_step = kinetic * abs(fall)
     if method.rule == MUJOCO_ONE_STEP and isinstance(body.shape, Box):
         height = _height_over_width(body, normal, ahead)
-        near_critical = abs(pull - friction_in_a_step) < NEAR_CRITICAL * abs(pull)
+        terms.append(bands.corner_off(fall, dt))
         if turned := _turned_back(courses):
             terms.append(bands.Term("friction that finds another slip where a box turns back", turned * turning[1]))
         if drive:
             terms.append(bands.rocking_driven(dt))
-        elif holds:
-            terms.append(bands.creeping(height, abs(pull), scenario.duration))
         else:
-            terms.append(
-                bands.rocking(height, friction_in_a_step, fall, scenario.duration, near_critical and speed == 0)
-            )
+            if not holds:
+                askew = float(np.max(np.abs(_in_own_axes(body, ahead)))) < 1 - STRAIGHT
+                beyond = abs(pull) - friction_in_a_step if speed == 0 else math.inf
+                terms.append(bands.rocking(height, friction_in_a_step, fall, scenario.duration, beyond, askew))
+            if max(abs(speeds[-1]) for speeds, _ in courses) < friction_in_a_step:  # it holds, or has come to rest
+                terms.append(bands.creeping(height, abs(pull), scenario.duration))
     if method.rule == BULLET and isinstance(body.shape, Box) and friction_in_a_step and not drive:
         left, count = abs(abs(pull) / friction_in_a_step - 1), settings.number("solver_iterations")
         terms.append(bands.bullets_corners(friction_in_a_step, left, count, scenario.duration))
+    if method.rule == WORLD and isinstance(body.shape, Box):
+        terms.append(bands.turning_sweeps(settings.number("tolerance"), friction_in_a_step, _turns(courses)))
     if drive and method.rule != RESPOND_THEN_STEP:
         terms.append(bands.late(_late(drive, pair, fall)))
         if method.rule == BULLET:
@@ -146,8 +149,12 @@ def _turned_back(courses: list[tuple[Array, Array]]) -> float:
     took from the slip is there again. Before and after a turn these are of opposite sign, and how the box rocks in
     between decides what is left: up to this share of a step's change of speed.
     """
-    turns = sum(int(np.count_nonzero(speeds[:-1] * speeds[1:] < 0)) for speeds, _ in courses)
-    return turns * max(float(np.max(np.abs(np.diff(speeds)))) for speeds, _ in courses)
+    return _turns(courses) * max(float(np.max(np.abs(np.diff(speeds)))) for speeds, _ in courses)
+
+
+def _turns(courses: list[tuple[Array, Array]]) -> int:
+    moves = [speeds[np.abs(speeds) > STRAIGHT] for speeds, _ in courses]
+    return sum(int(np.count_nonzero(speeds[:-1] * speeds[1:] < 0)) for speeds in moves)
 
 
 def _late(drive: Drive, pair: Pair, fall: float) -> float:

@@ -18,7 +18,7 @@ from reference.engines.base import (
     Method,
 )
 from reference.prediction import bands
-from reference.prediction.bodies import Bodies, State
+from reference.prediction.bodies import Bodies, State, darts_stretch
 from reference.prediction.both import ASIDE, Both, NoRule, along_its_base, points_of
 from reference.prediction.impulses import InTheWorld, MuJoCos, Rule, rule_of
 from reference.prediction.laws import BULLETS_PUSHED_TURN
@@ -42,8 +42,9 @@ SEEN_AHEAD = 0.0347
 """Gap at which Bullet keeps a contact of a ball with a box, as a share of the radius: 0.02 √3, rounded up."""
 LONGEST_FLIGHT = 2000
 """So many steps of flight are looked at together."""
-UNDECIDED = 1e-12
-"""A gap of less than this, m: without a margin, rounding decides whether MuJoCo has a contact there."""
+UNDECIDED, TIED = 1e-12, 1e-15
+"""A gap of less than this, m: rounding decides whether a step that ends there has a contact. The first holds for MuJoCo
+without a margin."""
 MOST_PIVOTED = 2
 """So many contacts at once DART's stock solver solves to rounding; of four, velocities were off by 7·10⁻⁴."""
 
@@ -73,7 +74,10 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         for place, body in enumerate(scenario.bodies)
         if not body.immovable
     }
+    trajectory = trajectory_of(scenario, settings, paths)
     terms = _terms(scenario, settings, method)
+    if method.rule == DART:
+        terms += (darts_stretch(trajectory),)
     if method.rule == MUJOCO_ONE_STEP:
         terms += striking.of_mujoco()
     if striking.fallback:
@@ -85,7 +89,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         if then is None:
             return None
         terms += (bands.magnified(float(np.max(np.abs(then.velocity - states.velocity))) / BESIDE),)
-    return Prediction(trajectory_of(scenario, settings, paths), terms)
+    return Prediction(trajectory, terms)
 
 
 def _in_a_row(bodies: Bodies, meetings: list[Meeting]) -> bool:
@@ -196,7 +200,8 @@ class Striking:
         overlap = np.flatnonzero(np.any(found <= 0, axis=0))
         count = int(overlap[0]) // stages if len(overlap) else steps
         seen = found[:, : stages * count + stages]
-        if self.to_rounding and np.any((np.abs(seen) < UNDECIDED) & (np.abs(seen - begun) > UNDECIDED)):
+        tied = UNDECIDED if self.to_rounding else TIED
+        if np.any((np.abs(seen) < tied) & (np.abs(seen - begun) > UNDECIDED)):
             raise NoRule
         return State(*(part[stages - 1 : stages * count : stages] for part in flown))
 

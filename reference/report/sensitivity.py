@@ -39,8 +39,13 @@ def kept_sentence(section: Section) -> str:
 
 
 def _kept_of(line: Line, cases: Sequence[str]) -> Sensitivity | None:
-    """What was measured of just this line: the lab's own code, in a profile's own settings, in the cases that ran."""
+    """What was measured of just this line: the lab's own code, in a profile's own settings, in the cases that ran.
+
+    None where no run gave a number: verdicts on nothing notice nothing.
+    """
     job = line.result.job
+    if all(row.measured is None for row in line.result.rows):
+        return None
     functions = line.result.functions
     if job.changes or job.at or (functions and not Implementation(job.implementation).takes_ours(functions)):
         return None

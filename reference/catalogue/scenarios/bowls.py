@@ -107,7 +107,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if found is None:
         return None
     found = replace(found, trajectory=told_of(scenario, found.trajectory))
-    if method.rule == MUJOCO_ONE_STEP:
+    if method.rule in (MUJOCO_ONE_STEP, DART):
         assert isinstance(solid.shape, Polyhedron)
         return replace(found, terms=(*found.terms, bands.mesh_in_single(solid.shape)))
     return found

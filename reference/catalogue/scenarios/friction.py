@@ -283,7 +283,7 @@ INCLINE = Family(
             "way",
             "distance in 3 s",
             "m",
-            lambda trajectory: measure.way_from_rest(trajectory, "slab", INCLINE_DURATION),
+            lambda trajectory: measure.displacement(trajectory, "slab"),
             _expect_way,
             _slid,
         ),

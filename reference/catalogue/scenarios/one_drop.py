@@ -153,7 +153,8 @@ def _expect_time_below(case: Case, settings: Settings, method: Method) -> Expect
 
 
 def _end(trajectory: Trajectory) -> float:
-    return float(_gap(trajectory)[-1])
+    later = trajectory.position("ball")[-1] - measure.at_end(trajectory, "ball")[0]
+    return float(_gap(trajectory)[-1] - later @ np.array(NORMAL))
 
 
 def _expect_end(case: Case, settings: Settings, method: Method) -> Expectation:

@@ -9,7 +9,7 @@ import numpy as np
 
 from reference import forces_truth
 from reference.arrays import Array
-from reference.catalogue import swings
+from reference.catalogue import measure, swings
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
@@ -28,8 +28,8 @@ STREAM = (0.06, -0.03, 0.02)
 """Velocity of the fluid where it streams, m/s."""
 TIME, DURATION = 0.1, 0.16
 """When the ways are read, and the end, s: some 7 and 11 times as long as a heavy ball takes to gather speed."""
-SHARE, CURVE = 1e-3, 1e-6
-"""Accepted share of a number, 0.1 %, and of an exact one: a curve through six samples leaves some (dt/τ)⁶/200."""
+SHARE, ROUNDING = 1e-3, 1e-9
+"""Accepted share of a number, 0.1 %, and what rounding leaves of an exact one."""
 LIFTED = DENSITY * 4 / 3 * math.pi * RADIUS**3
 """Mass of the fluid that a ball displaces, kg."""
 
@@ -58,8 +58,8 @@ Theory = Callable[[Case], float]
 
 def _gathering(trajectory: Trajectory) -> float:
     """When the ball has all but 1/e of its last velocity, s."""
-    velocity = trajectory.velocity("ball")
-    left = 1 - velocity @ velocity[-1] / (velocity[-1] @ velocity[-1])
+    velocity, last = trajectory.velocity("ball"), measure.at_end(trajectory, "ball")[1]
+    left = 1 - velocity @ last / (last @ last)
     return swings.last_beyond(trajectory.times, left, math.exp(-1))
 
 
@@ -101,7 +101,8 @@ def _quantity(name: str, title: str, unit: str, both: tuple[Read, Theory], size:
     def expect(case: Case, settings: Settings, method: Method) -> Expectation:
         exact, large = theory(case), size(case)
         if method.kind == EXACT:
-            return Expectation(exact, CURVE * large, "what a curve through six samples leaves", size=large)
+            near = (ROUNDING + swings.left_by_curve(settings, _relaxation(case))) * large
+            return Expectation(exact, near, "rounding, and what a curve through six samples leaves", size=large)
         why = _LATE
         if method.rule == BULLET_DAMPED:
             why = _DAMPED

@@ -110,7 +110,7 @@ TIPPING_BOX = Family(
             "way",
             "way in 1 s",
             "m",
-            lambda trajectory: measure.way_from_rest(trajectory, "box", DURATION),
+            lambda trajectory: measure.displacement(trajectory, "box"),
             _expect_way,
             _true_way,
         ),

@@ -95,7 +95,7 @@ def _expect_speed(case: Case, settings: Settings, method: Method) -> Expectation
 
 
 def _end_speed(trajectory: Trajectory) -> float:
-    return float(np.linalg.norm(trajectory.velocity("slab")[-1]))
+    return float(np.linalg.norm(measure.at_end(trajectory, "slab")[1]))
 
 
 def _way(trajectory: Trajectory) -> float:

@@ -104,13 +104,19 @@ def test_the_drift_is_the_largest_distance_from_the_windows_start():
 
 def test_the_displacement_is_the_straight_line_from_start_to_end():
     position = np.array([[1.0, 1.0, 1.0], [9.0, 9.0, 9.0], [3.0, 2.0, -1.0]])
-    assert measure.displacement(trajectory([0, 1, 2], position, (1.0, 0.0, 0.0)), "ball") == 3.0
+    assert measure.displacement(trajectory([0, 0.5, 1], position, (1.0, 0.0, 0.0)), "ball") == 3.0
 
 
-def test_a_way_from_rest_is_that_of_the_time_asked_for_where_the_last_sample_is_later():
-    way = 0.7 * TIMES[:, None] ** 2 * (0.6, 0.0, -0.8)
-    made = trajectory(TIMES, way, 2 * way)
-    assert measure.way_from_rest(made, "ball", 0.996) == pytest.approx(0.7 * 0.996**2)
+def test_the_end_is_that_of_the_scenario_where_the_last_sample_is_later():
+    """Under a force that grows evenly; the samples are 7 ms apart and 1 s is no multiple of that."""
+    times = 7e-3 * np.arange(144)
+    line = np.array([0.6, 0.0, -0.8])
+    way, speed = 0.3 * times + 0.7 * times**2 - 0.2 * times**3, 0.3 + 1.4 * times - 0.6 * times**2
+    made = trajectory(times, way[:, None] * line, speed[:, None] * line)
+    place, velocity = measure.at_end(made, "ball")
+    np.testing.assert_allclose(place, 0.8 * line, rtol=1e-13)
+    np.testing.assert_allclose(velocity, 1.1 * line, rtol=1e-12)
+    assert measure.displacement(made, "ball") == pytest.approx(0.8, rel=1e-13)
 
 
 def test_the_stopping_distance_is_measured_along_the_plane():

@@ -117,8 +117,9 @@ def test_the_way_of_a_box_is_that_of_exactly_one_second():
     case, slope = "h=0.1,μ=0.5,θ=35°", math.radians(35)
     start = np.array(catalogue()["tipping-box"].case(case).scenarios[0].body("box").position)
     times = np.array([0, 0.51, 1.02])
-    places = start + np.outer(1.5 * times**2, [math.cos(slope), 0, -math.sin(slope)])  # 3 m/s² from rest
-    trajectory, measure = made("tipping-box", case, times, positions={"box": places})
+    downhill = np.array([math.cos(slope), 0, -math.sin(slope)])
+    places, speeds = start + np.outer(1.5 * times**2, downhill), np.outer(3 * times, downhill)  # 3 m/s² from rest
+    trajectory, measure = made("tipping-box", case, times, positions={"box": places}, velocities={"box": speeds})
     assert measure["way"](trajectory) == pytest.approx(1.5, rel=1e-12)
 
 

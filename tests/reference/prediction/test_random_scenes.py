@@ -14,7 +14,9 @@ import random_scenes as scenes
 from hypothesis import given, note, settings
 from hypothesis import strategies as st
 
+from reference.catalogue.scenarios.friction import slack_aside
 from reference.engines import Engine, engine_names
+from reference.engines.base import Method
 from reference.errors import CannotExpress, NeedsFunction
 from reference.prediction import (
     answering,
@@ -29,7 +31,8 @@ from reference.prediction import (
     striking,
 )
 from reference.prediction.predicted import Prediction
-from reference.scene.scenario import Box, Scenario, Sphere
+from reference.scene.scenario import Box, HalfSpace, Scenario, Sphere
+from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
 PLACES = "positions", "velocities"
@@ -38,18 +41,27 @@ EVERYTHING = (*PLACES, "angular_velocities", "orientations", "answers", "watched
 
 @dataclass(frozen=True)
 class Kind:
-    """scenes: what is drawn. predict: the recurrence. of: what it says."""
+    """scenes: what is drawn. predict: the recurrence. of: what it says.
+
+    aside: how far beside its way, m, a body may be besides, by the settings.
+    """
 
     scenes: st.SearchStrategy[Scenario]
     predict: Callable[..., Prediction | None]
     of: tuple[str, ...] = EVERYTHING
+    aside: Callable[..., float] = lambda scenario, settings, method: 0.0
+
+
+def beside_a_slide(scenario: Scenario, told: Settings, method: Method) -> float:
+    """The slack of every slab in the catalogue, for boxes."""
+    return slack_aside(None, told, method) * any(isinstance(body.shape, Box) for body in scenario.bodies)
 
 
 KINDS = {
     "bouncing": Kind(scenes.bounces(), bouncing.predict),
     "striking": Kind(scenes.strikes(), striking.predict),
-    "sliding": Kind(scenes.slides(), sliding.predict, PLACES[:1]),
-    "driven": Kind(scenes.drives(), sliding.predict, PLACES[:1]),
+    "sliding": Kind(scenes.slides(), sliding.predict, PLACES[:1], beside_a_slide),
+    "driven": Kind(scenes.drives(), sliding.predict, PLACES[:1], beside_a_slide),
     "loaded": Kind(scenes.loaded_balls(), loaded.predict),
     "joints": Kind(scenes.springs(), loaded.predict),
     "draped": Kind(scenes.drapes(), draped.predict),
@@ -65,8 +77,11 @@ KINDS = {
 }
 
 
-def bands_off(ran: Trajectory, prediction: Prediction, of: tuple[str, ...] = EVERYTHING) -> float:
-    """The largest difference of any number from the predicted one, in bands; spins as speeds at the surface, m/s."""
+def bands_off(ran: Trajectory, prediction: Prediction, of: tuple[str, ...] = EVERYTHING, aside: float = 0.0) -> float:
+    """The largest difference of any number from the predicted one, in bands; spins as speeds at the surface, m/s.
+
+    aside: what a place may be off across the way and level with the plane, m.
+    """
     then = prediction.trajectory
     sizes = np.array([_size(body.shape) for body in ran.scenario.bodies])[:, None]
     same = np.sign(np.sum(ran.orientations * then.orientations, axis=-1, keepdims=True))  # q and −q are one orientation
@@ -76,10 +91,23 @@ def bands_off(ran: Trajectory, prediction: Prediction, of: tuple[str, ...] = EVE
         unit, unit_of_expected = units.get(name, (1.0, 1.0))
         found, expected = unit * getattr(ran, name), unit_of_expected * getattr(then, name)
         alike = (found == expected) | np.isnan(expected)  # also where both are infinite
-        off = np.abs(np.where(alike, 0.0, found) - np.where(alike, 0.0, expected))
+        off = np.where(alike, 0.0, found) - np.where(alike, 0.0, expected)
+        if aside:
+            off = _without_aside(off, then, aside)
+        off = np.abs(off)
         bands = prediction.near * np.maximum(1.0, np.abs(np.where(alike, 1.0, expected)))
         worst = max(worst, float(np.max(off / bands, initial=0.0)))
     return worst
+
+
+def _without_aside(off: np.ndarray, then: Trajectory, aside: float) -> np.ndarray:
+    """What is left of distances (n, bodies, 3) of a body that slides on a plane, less what it may be off aside."""
+    normal = next(np.array(body.shape.normal) for body in then.scenario.bodies if isinstance(body.shape, HalfSpace))
+    way = then.positions[-1] - then.positions[0]
+    across = np.cross(normal, way)
+    across /= np.maximum(np.linalg.norm(across, axis=-1, keepdims=True), 1e-12)
+    length = np.sum(off * across, axis=-1, keepdims=True)
+    return off - np.clip(length, -aside, aside) * across
 
 
 def _size(shape) -> float:
@@ -93,11 +121,12 @@ def runs_of(kind: Kind, engine: Engine, scenario: Scenario, share: float):
     for profile in engine.profiles(scenario):
         told = engine.settings(scenario, profile)
         told = told.change(timestep=share * told.timestep)
-        prediction = kind.predict(scenario, told, engine.method(scenario, told))
+        method = engine.method(scenario, told)
+        prediction, aside = kind.predict(scenario, told, method), kind.aside(scenario, told, method)
         if prediction is None:
             continue
         try:
-            yield profile, bands_off(engine.run(scenario, told), prediction, kind.of)
+            yield profile, bands_off(engine.run(scenario, told), prediction, kind.of, aside)
         except (CannotExpress, NeedsFunction):
             continue
 
