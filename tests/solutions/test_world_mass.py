@@ -295,6 +295,16 @@ def test_a_surface_that_is_open_or_looks_both_ways_is_refused(turned, missing):
             volume(("compound", [(shape, AWAY, UPRIGHT)]))
 
 
+def test_a_part_that_is_turned_inside_out_is_refused_unless_it_is_a_hole():
+    inside_out = [tuple(8 + v for v in quad)[::-1] for quad in QUADS]
+    beside = np.vstack([CUBE, CUBE / 2 + np.array([2, 0.3, 0.1])])
+    with pytest.raises(ValueError, match="those of a part of it look inwards"):
+        mass_properties(("polyhedron", beside, [*QUADS, *inside_out]), 6.0)
+    hollow = np.vstack([CUBE, CUBE / 2 + 0.25])
+    _, moments, _ = mass_properties(("polyhedron", hollow, [*QUADS, *inside_out]), 7.0)
+    np.testing.assert_allclose(moments, (8 - 0.25) / 6, rtol=1e-12)  # 8 kg of a whole cube less 1 kg of half the size
+
+
 def test_a_surface_of_separate_triangles_and_one_that_touches_itself_are_solids():
     _, vertices, faces = hull()
     apart = ("polyhedron", vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))

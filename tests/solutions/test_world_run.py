@@ -54,6 +54,26 @@ def test_a_tower_stands_also_when_its_run_is_continued_from_arrays_alone(masses,
     assert np.max(np.linalg.norm(state.position - start.position, axis=-1)) < 1e-4
 
 
+def test_a_tower_is_not_disturbed_by_what_strikes_elsewhere():
+    """A ball far away strikes the floor in the first step of each call."""
+    masses = [1.0, 2.0, 1.5, 2.5, 1.0, 2.8]
+    bodies, start = tower(masses, 0.01, 0.3)
+    shapes = [FLOOR, *[("box", (0.1, 0.2, 0.1))] * len(masses), ("sphere", 0.05)]
+    moments = np.vstack([bodies.moments, np.full(3, 0.4 * 0.1 * 0.05**2)])
+    both = make_bodies(shapes, [np.inf, *masses, 0.1], moments, friction=0.5, restitution=0.9)
+    place, q = (
+        np.vstack([each, one])
+        for each, one in ((start.position, (5.0, 0, 0.051)), (start.orientation, (1.0, 0, 0, 0)))
+    )
+    state = make_state(place, q)
+    for _ in range(4):
+        falls = state.velocity.copy()
+        falls[-1] = 0.0, 0.0, -1.0
+        again = State(np.vstack([state.position[:-1], place[-1:]]), state.orientation, falls, state.angular_velocity)
+        state = last(run_world(both, again, DOWN, 1 / 60, 5, every=5))
+    assert np.max(np.linalg.norm(state.position[:-1] - start.position, axis=-1)) < 1e-4
+
+
 @pytest.mark.parametrize("rules", [Rules(sweeps=3), Rules(sleep_speed=0.02, sleep_after=0.1)])
 def test_a_run_continued_with_its_memory_is_the_same_to_the_last_digit(rules):
     bodies, start = tower([2.0, 1.0], 0.02, 0.4)
