@@ -62,8 +62,7 @@ def test_a_tower_is_not_disturbed_by_what_strikes_elsewhere():
     moments = np.vstack([bodies.moments, np.full(3, 0.4 * 0.1 * 0.05**2)])
     both = make_bodies(shapes, [np.inf, *masses, 0.1], moments, friction=0.5, restitution=0.9)
     place, q = (
-        np.vstack([each, one])
-        for each, one in ((start.position, (5.0, 0, 0.051)), (start.orientation, (1.0, 0, 0, 0)))
+        np.vstack([each, one]) for each, one in ((start.position, (5.0, 0, 0.051)), (start.orientation, (1.0, 0, 0, 0)))
     )
     state = make_state(place, q)
     for _ in range(4):
