@@ -246,15 +246,14 @@ def which_functions_ran(results: Sequence[JobResult]) -> str:
     """
     called = {name for result in results for name in result.functions}
     lost = any(row.verdict is Verdict.LOST for result in results for row in result.rows)
+    these = "the runs that were not lost" if lost else "these runs"
     said = []
     for source in dict.fromkeys(result.job.implementation for result in results):
         for file, names in Implementation(source).own_functions().items():
             ran = [name for name in names if name in called]
             idle = [name for name in names if name not in called]
             words = [f"called {listed(ran)}" if ran else "called none", f"not {listed(idle)}" if idle else ""]
-            said.append(f"Of the functions in {file} these runs {', and '.join(filter(None, words))}.")
-            if lost and idle:
-                said.append("Of a run that was lost it is not known.")
+            said.append(f"Of the functions in {file} {these} {', and '.join(filter(None, words))}.")
     return " ".join(said)
 
 

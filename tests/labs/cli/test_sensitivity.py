@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 
 import pytest
 from program import collisions
@@ -21,8 +20,9 @@ def test_the_smallest_fault_is_printed_written_and_kept(tmp_path, monkeypatch):
     said = collisions(*wish, "--out", tmp_path / "found.json", "--keep")
     assert said.code == 0
     assert "hand-written, exact 0.11" in said.text
-    smallest = r"The smallest fault that a verdict here would notice: restitution 8\.\d·10⁻⁸ % \(hand-written, world\)"
-    assert re.search(smallest, said.text)
+    assert (
+        "The smallest fault that a verdict here would notice: restitution 8.6·10⁻⁸ % (hand-written, world)" in said.text
+    )
     assert "to 0.11 % (hand-written), mass" in said.text
     assert "Without effect on any number: inertia" in said.text
     content = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))

@@ -22,11 +22,6 @@ LEAST_OF_A_CONSTANT = 0.1
 """A measured constant is at most ten times the worst of the random scenes."""
 
 
-def turned_at_random(rng) -> np.ndarray:
-    turn = rng.normal(size=4)
-    return turn / np.linalg.norm(turn)
-
-
 def on_a_slope(rng, slope, friction, speed, height, duration, towards_x=False) -> Scenario:
     """A box of unequal sides on a slope that falls towards no axis, or towards x; it slides along one of its own."""
     about = rng.uniform(0, 2 * math.pi) * (not towards_x)
