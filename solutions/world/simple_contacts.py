@@ -59,8 +59,8 @@ def manifolds(
     """All places at which some pairs of bodies touch, or nearly do.
 
     Those are left out that no body can reach, because another one is in front,
-    such as the side of a box that lies level beside the next one; and two
-    balls that approach, but pass each other if they go straight on.
+    such as the side of a box that lies level beside the next one; and a ball
+    that approaches another one or a box, but passes it if both go straight on.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def manifolds(
     )
     order = np.argsort(pair, kind="stable")
     a, b = first[pair[order]], second[pair[order]]
-    meets = ~_pass(kind, size, state, a, b)
+    meets = ~_pass(kind, size, state, rotation, a, b)
     order, a, b = order[meets], a[meets], b[meets]
     key = (a * len(kind) + b) * FEATURES + feature[order]
     places = point[order], normal[order], separation[order]
@@ -128,22 +128,32 @@ def _pass(
     kind: Integers,
     size: Array,
     state: SimpleState,
+    rotation: Array,
     a: Integers,
     b: Integers,
 ) -> Booleans:
-    """Which two bodies (m,) are balls that approach, and pass each other.
+    """Which two bodies (m,) approach, and pass each other: A, a ball.
 
-    Balls at x and with the relative velocity w are nearest after t = −x·w/w².
-    They may miss by the share `NEAR` of their radii, so that rounding
-    separates none.
+    Its centre is at x from the nearest place of B, which is the centre of a
+    ball, a corner of a box, or a place on an edge or a face. There only what
+    leads away from this edge or face counts of the relative velocity w. They
+    are nearest after t = −x·w/w². They may miss by the share `NEAR`, so that
+    rounding separates none.
     """
-    x, w = (each[a] - each[b] for each in (state[0], state[2]))
+    position, _, velocity, spin = state
+    box = (kind[b] == CUBOID)[:, None]
+    own, half = np.where(box[..., None], rotation[b], np.eye(3)), size[b] * box
+    x = np.vecmat(position[a] - position[b], own)
+    place = np.clip(x, -half, half)
+    turning = np.cross(spin[b], np.matvec(own, place))
+    w = np.vecmat(velocity[a] - velocity[b] - turning, own)
+    x, w = x - place, np.where(box & (place == x), 0.0, w)
     approach, squared = -np.vecdot(x, w), np.vecdot(w, w)
     nearest = x + w * (approach / np.where(squared > 0, squared, 1.0))[:, None]
-    apart = (1 + NEAR) * (size[a, 0] + size[b, 0])
-    balls = (kind[a] == BALL) & (kind[b] == BALL)
+    apart = (1 + NEAR) * (size[a, 0] + np.where(box[:, 0], 0.0, size[b, 0]))
     misses = np.vecdot(nearest, nearest) > apart**2
-    return np.asarray(balls & (approach > 0) & misses)
+    no_plane = (kind[a] == BALL) & (kind[b] != PLANE)
+    return np.asarray(no_plane & (approach > 0) & misses)
 
 
 def _placed(

@@ -247,3 +247,21 @@ def test_in_the_world_of_the_lab_nothing_rebounds_before_it_touches_and_no_seam_
         speeds.append(float(state[2][0] @ R[:, 2]))
     # 0.9 mm are closed in the third step: it begins 0.1 mm before the touch, and all of the impulse comes with it
     assert np.allclose(speeds, [0, 0, -1.0, -1.0], atol=1e-12)
+
+
+@pytest.mark.parametrize("at", [(0.2, 0.15, 0.02), (0.2, 0.15, 0.1)])  # on an edge, and a corner
+def test_in_the_world_of_the_lab_a_ball_that_passes_a_box_is_not_struck(at):
+    at = np.array(at)
+    out = np.where(np.abs(at) == [0.2, 0.15, 0.1], at, 0.0)
+    out /= np.linalg.norm(out)
+    along = np.cross(out, [0.3, -0.2, 0.93] if out[2] else [0, 0, 1])
+    along /= np.linalg.norm(along)
+    for gap, shift in ((5e-5, 0.1), (3e-4, 0.4), (3e-4, 0.7), (9e-4, 0.0)):
+        start = at + out * (0.1 + gap) - along * (0.08 + 0.01 * shift)
+        ball = thing(BALL, 0.1, 1.0, *turned(start), velocity=turned(along)[0])
+        bodies, state = world([thing(BOX, (0.2, 0.15, 0.1), orientation=TURN), ball])
+        memory = None
+        for _ in range(18):
+            *state, key, impulse = step_world(bodies, tuple(state), NO_WEIGHT, 0.01, (0.02, 1e-3, 20), memory)
+            memory = key, impulse
+        assert np.allclose(state[2][1], R @ along, atol=ROUNDING)
