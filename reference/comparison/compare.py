@@ -179,10 +179,11 @@ def _held(quantity: Quantity, case: Case, settings: Settings) -> Iterator[Number
             yield measured(quantity, [held(scenario, settings, speed) for scenario in case.scenarios])
 
 
-def predicted(family: Family, case: Case, settings: Settings, method: Method) -> list[Prediction]:
-    """What the method's recurrence gives in each scenario of a case; none where it has none for all of them.
+def predicted(family: Family, case: Case, settings: Settings, method: Method) -> list[Prediction | None]:
+    """What the method's recurrence gives in each scenario of a case; empty where it has none for half of them.
 
-    One that leaves the range of numbers predicts nothing, and costs no other case its rows.
+    Of an ensemble, a few may meet at a tie, which rounding decides: they have none. One that leaves the range of
+    numbers predicts nothing, and costs no other case its rows.
     """
     if family.predict is None:
         return []
@@ -193,37 +194,45 @@ def predicted(family: Family, case: Case, settings: Settings, method: Method) ->
         raise
     except RunFailed:
         return []
-    return [each for each in found if each is not None] if all(found) else []
+    return found if 2 * sum(each is None for each in found) < len(found) else []
 
 
 @dataclass(frozen=True)
 class _Against:
-    """What is predicted of one quantity, and how near each number has to be: its band."""
+    """What is predicted of one quantity, and how near each number has to be: its band.
 
+    chosen: the scenarios that have a prediction.
+    """
+
+    chosen: tuple[int, ...]
     number: Number
     bands: tuple[float, ...]
 
     @classmethod
-    def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float, slack: float) -> _Against | None:
+    def of(
+        cls, quantity: Quantity, predictions: Sequence[Prediction | None], size: float, slack: float
+    ) -> _Against | None:
         """None where no recurrence predicts the number, and where rounding decides what it is.
 
         size: as in `Expectation`. slack: as `Quantity.slack` says.
         """
         if not predictions or quantity.cost or quantity.reported:
             return None
-        number = measured(quantity, [each.trajectory for each in predictions])
+        chosen = tuple(place for place, each in enumerate(predictions) if each is not None)
+        made = [each for each in predictions if each is not None]
+        number = measured(quantity, [each.trajectory for each in made])
         if number.undecided:
             return None
-        bands = (each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
-        return cls(number, tuple(band + slack for band in bands))
+        bands = (each.band(value, size) for each, value in zip(made, number.values, strict=False))
+        return cls(chosen, number, tuple(band + slack for band in bands))
 
     def differences(self, number: Number) -> Array:
-        """Measured less predicted, for each scenario."""
-        return np.subtract(number.values, self.number.values)
+        """Measured less predicted, for each scenario that has a prediction."""
+        return np.subtract([number.values[each] for each in self.chosen], self.number.values)
 
     def bands_for(self, number: Number) -> Array:
         """How near each value of a number has to be, wider where a recording has rounded it."""
-        return np.add(self.bands, number.rounded * np.abs(number.values))
+        return np.add(self.bands, [number.rounded * abs(number.values[each]) for each in self.chosen])
 
     def hold(self, number: Number) -> bool:
         """Whether every number is as predicted."""
@@ -254,12 +263,15 @@ def _with_prediction(row: Row, number: Number, against: _Against) -> tuple[Row, 
         return replace(row, note=f"predicted: {against.number.note}"), False
     off = against.differences(number)
     worst = int(np.argmax(np.abs(off)))
-    row = replace(row, predicted=against.number.mean, band=float(max(against.bands_for(number))), off=float(off[worst]))
+    whole = np.array(number.values)  # a scenario without a prediction counts as it was measured
+    whole[list(against.chosen)] = against.number.values
+    row = replace(
+        row, predicted=float(np.mean(whole)), band=float(max(against.bands_for(number))), off=float(off[worst])
+    )
     if holds := against.hold(number):
         return row, holds
-    return replace(
-        row, note=f"predicted {against.number.values[worst]:.9g}, measured {number.values[worst]:.9g}"
-    ), holds
+    foreseen = against.number.values[worst]
+    return replace(row, note=f"predicted {foreseen:.9g}, measured {number.values[against.chosen[worst]]:.9g}"), holds
 
 
 def _finite(summary: Callable[..., Any], values: Sequence[float]) -> float | None:

@@ -310,12 +310,14 @@ def test_what_a_run_costs_or_reports_is_not_compared_with_a_recurrence(kind):
     assert judged.verdict is Verdict.PASS
 
 
-def predicted(*heights: float, near: float = 1e-9) -> Family:
-    """Balls 1, 2 and 3 m high, and a prediction that has them at these heights."""
+def predicted(*heights: float | None, near: float = 1e-9) -> Family:
+    """Balls 1, 2 and 3 m high, and a prediction that has them at these heights, or has none."""
     found = family(lambda *_: replace(BIASED, value=2.0), heights=(1.0, 2.0, 3.0))
     wanted = dict(zip(found.cases[0].scenarios, heights, strict=True))
 
-    def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction:
+    def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
+        if wanted[scenario] is None:
+            return None
         there = falling_ball("there", 0.5, wanted[scenario] - 0.1, 0.2)
         return Prediction(Still().run(there, settings), (Term("near", near),))
 
@@ -334,6 +336,16 @@ def test_every_member_of_an_ensemble_is_judged_by_its_own_prediction():
     (accepted,) = compare(predicted(1.001, 2.0, 2.999, near=1e-3))
     assert accepted.verdict is Verdict.PASS
     assert accepted.band == pytest.approx(2.999e-3)  # a share of the number, or of one unit
+
+
+def test_a_tie_costs_only_its_own_member_the_prediction():
+    (row,) = compare(predicted(None, 2.0, 3.0))
+    assert (row.verdict, row.predicted) == (Verdict.PASS, pytest.approx(2.0))
+    (wrong,) = compare(predicted(None, 2.0, 2.4))
+    assert (wrong.verdict, wrong.off, wrong.note) == (Verdict.FAIL, pytest.approx(0.6), "predicted 2.4, measured 3")
+    assert wrong.predicted == pytest.approx(1.8)
+    (most,) = compare(predicted(None, 2.7, None))  # theory judges
+    assert (most.verdict, most.predicted) == (Verdict.PASS, None)
 
 
 @pytest.mark.parametrize(("heights", "off"), [((1.001, 2.0, 2.996), 4e-3), ((1.005, 2.0, 2.998), -5e-3)])
