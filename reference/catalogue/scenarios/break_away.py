@@ -169,7 +169,8 @@ def _expect_left(case: Case, settings: Settings, method: Method) -> Expectation:
 def _expect_held(case: Case, settings: Settings, method: Method) -> Expectation:
     why = "1 %: a step method notices the break-away up to a step late"
     rate = _of(case).rate
-    return _near(rate * _of(case).leaves, method, why, rate * _by_cone(case, method.cone)[0])
+    found = _near(rate * _of(case).leaves, method, why, rate * _by_cone(case, method.cone)[0])
+    return replace(found, size=rate)  # it is read as an instant: what is off in seconds is off the rate's times in N
 
 
 def _expect_rubs(case: Case, settings: Settings, method: Method) -> Expectation | None:
