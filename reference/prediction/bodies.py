@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import DART
+from reference.engines.base import BULLET, BULLET_DAMPED, BULLET_SPRING, DART
 from reference.prediction import bands
 from reference.scene import geometry
 from reference.scene.scenario import Scenario
@@ -15,6 +16,10 @@ from reference.scene.trajectory import Trajectory
 
 SMALL_TURN = 1e-3
 """A turn below this angle, rad, DART makes with the matrix I + [φ] + [φ]²/2, which turns by arcsin |φ|."""
+
+
+LARGE_TURN = np.pi / 4
+"""A turn above this angle, rad, is too small in Bullet (`btTransformUtil::integrateTransform`)."""
 
 
 class State(NamedTuple):
@@ -26,11 +31,22 @@ class State(NamedTuple):
     spin: Array
 
 
-def darts_turn(turn: Array) -> Array:
-    """How far DART turns bodies that are to turn by vectors (..., 3), rad: a small angle φ by arcsin φ."""
+def turn_by(rule: str, turn: Array) -> Array:
+    """How far a method turns bodies that are to turn by vectors (..., 3), rad: by so much, but in two engines.
+
+    DART turns by arcsin φ where the angle φ is small. Bullet makes a quaternion from the turn v with the sine and the
+    cosine of half the angle, both of LARGE_TURN if φ is larger. But the sine multiplies v, which is longer than that.
+    """
     angle = np.linalg.norm(turn, axis=-1, keepdims=True)
-    small = (angle > 0) & (angle < SMALL_TURN)
-    return np.asarray(np.where(small, np.arcsin(np.where(small, angle, 0.0)) / np.where(small, angle, 1.0), 1.0) * turn)
+    if rule == DART:
+        differs = (angle > 0) & (angle < SMALL_TURN)
+        made = np.arcsin(np.where(differs, angle, 0.0))
+    elif rule in (BULLET, BULLET_DAMPED, BULLET_SPRING):
+        differs = angle > LARGE_TURN
+        made = 2 * np.arctan(angle / LARGE_TURN * np.tan(LARGE_TURN / 2))
+    else:
+        return turn
+    return np.asarray(np.where(differs, made / np.where(differs, angle, 1.0), 1.0) * turn)
 
 
 def darts_stretch(trajectory: Trajectory) -> bands.Term:
@@ -44,7 +60,7 @@ class Bodies:
     """The bodies of a scenario: their shapes, and what an impulse does to each. rule: of the method that turns them."""
 
     def __init__(self, scenario: Scenario, rule: str = "") -> None:
-        self.scenario, self.turned_by = scenario, darts_turn if rule == DART else np.asarray
+        self.scenario, self.turned_by = scenario, partial(turn_by, rule)
         self.shapes = [body.shape for body in scenario.bodies]
         self.inverse_mass = np.array([body.inverse_mass for body in scenario.bodies])
         self.inverse_moments = np.array(

@@ -62,9 +62,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if method.rule in (BULLET_SPRING, MUJOCO_SPRING) and law is not None:
         beside, _, _ = by_steps(gap + BESIDE, rate, fall, law, steps)
         terms.append(bands.magnified(float(np.max(np.abs(beside - gaps))) / BESIDE))
-    if method.rule == BULLET and law is not None and not law.reach and np.max(np.abs(normal)) < 1 - STRAIGHT:
-        if np.any((gaps <= 0) & (rates == 0)):
-            terms.append(bands.dropped_at_rest(fall, settings.timestep))
+    is_tilted, rests = np.max(np.abs(normal)) < 1 - STRAIGHT, np.any((gaps <= 0) & (rates == 0))
+    if method.rule == BULLET and law is not None and not law.reach and is_tilted and rests:
+        terms.append(bands.dropped_at_rest(fall, settings.timestep))
     if method.rule == MUJOCO_ONE_STEP and law is not None:
         terms += _of_mujoco(body, settings, law, np.diff(rates) - fall)
     if method.rule == DART and settings.options.get("sleep") is not False and _may_sleep(scenario, settings.timestep):

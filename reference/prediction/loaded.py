@@ -7,7 +7,7 @@ import numpy as np
 from reference.arrays import Array
 from reference.engines.base import BULLET_DAMPED, DART, Method
 from reference.prediction import integrators, joints
-from reference.prediction.bodies import darts_stretch, darts_turn
+from reference.prediction.bodies import darts_stretch, turn_by
 from reference.prediction.forces import Forces
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
@@ -62,8 +62,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         if np.any(spin) or np.any(torque):
             spin[movable] += dt * (torque[movable] / moments - _lost(damping, spin[movable]))
         if np.any(spin):
-            turn = darts_turn(dt * spin) if method.rule == DART else dt * spin
-            orientation = geometry.turned(orientation, turn)
+            orientation = geometry.turned(orientation, turn_by(method.rule, dt * spin))
         state = np.concatenate([position, orientation, velocity, spin], axis=-1)
         states.append(state)
     ways = np.array(states)
