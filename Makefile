@@ -1,5 +1,7 @@
 # `make report` and `make test` are all a newcomer needs: both create the environment first.
-PYTHON ?= $(shell command -v python3.11 || command -v python3 || command -v python)
+# The newest Python for which all engines have packages, and which can make an environment.
+PYTHON ?= $(shell for each in python3.13 python3.12 python3.11 python3 python; do \
+	"$$each" -c 'import ensurepip' 2> /dev/null && { command -v "$$each"; break; }; done)
 VENV   ?= .venv
 OUT    ?= report
 # Which extras to install; `make test EXTRAS=dev OPTIONAL= VENV=.venv-bare` tries the lab without any engine.
@@ -13,7 +15,8 @@ BIN    := $(VENV)/bin
 # One that crashes ends the run, and its test is named.
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --max-worker-restart=0
 READY  := $(VENV)/.installed
-INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check
+QUIET  := --quiet --disable-pip-version-check
+INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install $(QUIET)
 
 # Many processes import the same modules: they are compiled once.
 unexport PYTHONDONTWRITEBYTECODE
@@ -23,8 +26,9 @@ help:            ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
 
 install: $(READY) ## create the environment and install the lab into it
-$(READY): pyproject.toml constraints.txt
+$(READY): pyproject.toml constraints.txt bullet.txt
 	$(PYTHON) -m venv $(VENV)
+	$(if $(findstring engines,$(EXTRAS)),$(BIN)/python -m pip install $(QUIET) --no-deps --require-hashes -r bullet.txt)
 	$(INSTALL) -e '.[$(EXTRAS)]'
 	for extra in $(OPTIONAL); do \
 		$(INSTALL) -e ".[$$extra]" || echo "The extra $$extra has no wheel for this machine; the lab works without it."; \

@@ -19,8 +19,10 @@ def engines() -> None:
     missing = []
     for name in engine_names():
         try:
-            version, here = run_isolated(_version, PROBE_LIMIT, name), "[green]✓ ready[/]"
+            (distribution, version), here = run_isolated(_found, PROBE_LIMIT, name), "[green]✓ ready[/]"
             missing.append(tried_versions.warning(load_engine(name), version))
+            if distribution not in ("collisions-lab", load_engine(name).package):
+                version = f"{version} ({distribution})"
         except EngineNotInstalled as error:
             version, here = "", "[yellow]– not installed[/]"
             missing.append(str(error))
@@ -36,8 +38,8 @@ def engines() -> None:
         output.print(message, soft_wrap=True, markup=False)
 
 
-def _version(name: str) -> str:
-    """Import an engine's package and say its version; in a worker, where it may print or crash as it likes."""
+def _found(name: str) -> tuple[str, str]:
+    """Import an engine's package; say its distribution and version. In a worker: it may print or crash as it likes."""
     engine = load_engine(name)
     engine.module()
-    return engine.version()
+    return engine.distribution().name, engine.version()

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import ClassVar, TypedDict
 
-from reference.engines import profiles
+from reference.engines import distributions, profiles
 from reference.engines.implementation import Implementation
 from reference.engines.ranges import Allowed, check_options
 from reference.engines.steering import ROUNDING, steers_of
@@ -131,9 +131,10 @@ class Versions(TypedDict):
 class Engine(ABC):
     """One implementation of rigid-body motion.
 
-    name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
-    needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
-    without a compiler. applies_forces: whether it lets forces, springs and the like act, whatever the scenario.
+    name: as typed on the command line. title: as printed. order: place in tables. package: the module that it needs,
+    None for ours. distributions: what may have installed that, where it is not called alike. extra: the extra of
+    this project that installs it. wheels: where its package can be installed without a compiler. applies_forces:
+    whether it lets forces, springs and the like act, whatever the scenario.
     allowed: what each option may be; one that is not in it may be anything of its kind. implementation: which
     hand-written code runs. All of it is the hand-written engine's; the others ask it where bodies are steered.
     """
@@ -142,6 +143,7 @@ class Engine(ABC):
     title: ClassVar[str]
     order: ClassVar[int] = 100
     package: ClassVar[str | None] = None
+    distributions: ClassVar[tuple[str, ...]] = ()
     extra: ClassVar[str | None] = None
     wheels: ClassVar[str] = ""
     applies_forces: ClassVar[bool] = False
@@ -189,12 +191,20 @@ class Engine(ABC):
         """Whether it lets this scenario's forces act; an engine that does in some scenarios alone overrides this."""
         return self.applies_forces
 
+    def sources(self) -> tuple[str, ...]:
+        """Names of the distributions that may have installed the engine's package, the preferred one first."""
+        return self.distributions or (self.package or "collisions-lab",)
+
+    def distribution(self) -> importlib.metadata.Distribution:
+        """The distribution of the engine's package, or this project for our own; `EngineNotInstalled` where none is."""
+        found = distributions.installed(self.sources(), self.package or "")
+        if found is None:
+            raise self._missing("no such package")
+        return found
+
     def version(self) -> str:
         """Version of the engine's package, or of this project for our own; `EngineNotInstalled` where it is missing."""
-        try:
-            return importlib.metadata.version(self.package or "collisions-lab")
-        except importlib.metadata.PackageNotFoundError:
-            raise self._missing("no such package") from None
+        return self.distribution().version
 
     def versions(self) -> Versions:
         """The versions of the engine and of the adapter; the engine's is empty where it is missing."""

@@ -68,8 +68,9 @@ class PyBullet(Engine):
     title = "PyBullet"
     order = 10
     package = "pybullet"
+    distributions = ("pybullet", "pybullet-arm64")
     extra = "pybullet"
-    wheels = "CPython up to 3.11 on Linux x86-64 only"
+    wheels = "CPython 3.11 to 3.13 on Linux x86-64, Windows and macOS on ARM"
     applies_forces = True
     allowed: ClassVar[Mapping[str, Allowed]] = {
         "coordinates": ("maximal", "multibody"),

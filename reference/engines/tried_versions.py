@@ -13,14 +13,17 @@ from reference.engines.base import Engine
 
 
 def warning(engine: Engine, version: str) -> str:
-    """A sentence if a version of an engine is outside of the bounds; empty if it is within, or if there are none."""
-    bounds = _bounds().get(canonicalize_name(engine.package or ""))
-    if not version or bounds is None or bounds.contains(version, prereleases=True):
+    """A sentence if a version of an engine is outside of the bounds; empty if it is within, or if there are none.
+
+    An engine may come from one of several distributions, each with bounds of its own.
+    """
+    bounds = {name: each for name in engine.sources() if (each := _bounds().get(canonicalize_name(name)))}
+    if not version or not bounds or any(each.contains(version, prereleases=True) for each in bounds.values()):
         return ""
-    tried = ",".join(sorted(map(str, bounds), reverse=True))
+    tried = " or ".join(f"{name}{','.join(sorted(map(str, each), reverse=True))}" for name, each in bounds.items())
     return (
-        f"{engine.title} {version} is none of the versions that the lab was tried with ({engine.package}{tried}): its"
-        " numbers may differ, or it may not run."
+        f"{engine.title} {version} is none of the versions that the lab was tried with ({tried}): its numbers may"
+        " differ, or it may not run."
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import importlib.metadata
 import re
 from pathlib import Path
@@ -10,7 +12,7 @@ import pytest
 from program import collisions
 
 from labs.cli import engines
-from reference.engines import engine_names, load_engine, tried_versions
+from reference.engines import distributions, engine_names, load_engine, tried_versions
 from reference.running.isolate import stop_workers
 
 
@@ -39,12 +41,41 @@ def test_the_list_says_how_to_get_a_missing_engine_and_why_one_is_broken(tmp_pat
     assert "MuJoCo is installed but cannot be imported: its process died (exit code 3)" in said.text
 
 
+def test_an_engine_of_another_distribution_says_which(monkeypatch):
+    monkeypatch.setattr(engines, "engine_names", lambda: ("pybullet",))
+    monkeypatch.setattr(engines, "run_isolated", lambda *_: ("pybullet-arm64", "3.2.8"))
+    said = collisions("engines")
+    assert "PyBullet pybullet 3.2.8 (pybullet-arm64) ✓ ready" in said.text
+    assert "none of the versions" not in said.text
+
+
+def installed(folder, name, version, written):
+    """Metadata of a distribution that has written the one file of the module."""
+    kept = folder / f"{name.replace('-', '_')}-{version}.dist-info"
+    kept.mkdir()
+    digest = base64.urlsafe_b64encode(hashlib.sha256(written).digest()).rstrip(b"=").decode()
+    (kept / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
+    (kept / "RECORD").write_text(f"bullet.cpython-313-x86_64-linux-gnu.so,sha256={digest},{len(written)}\n")
+    (folder / "bullet.cpython-313-x86_64-linux-gnu.so").write_bytes(written)
+
+
+@pytest.mark.parametrize("last", [("bullet", "bullet-of-another"), ("bullet-of-another", "bullet")])
+def test_of_two_distributions_that_wrote_the_same_module_the_last_one_counts(last, tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    for name in last:
+        installed(tmp_path, name, f"1.{len(name)}", name.encode())
+    found = distributions.installed.__wrapped__(("bullet", "bullet-of-another"), "bullet")
+    assert found.name == last[-1]
+    assert distributions.installed.__wrapped__(("bullet",), "bullet").name == "bullet"
+    assert distributions.installed.__wrapped__(("no-bullet",), "bullet") is None
+
+
 @pytest.mark.parametrize(
     ("version", "warned"), [("3.12.0", False), ("4.0.0", False), ("4.9.9rc1", False), ("3.11.0", True), ("5.0", True)]
 )
 def test_a_version_that_was_not_tried_gets_a_warning(version, warned, monkeypatch):
     monkeypatch.setattr(engines, "engine_names", lambda: ("mujoco",))
-    monkeypatch.setattr(engines, "run_isolated", lambda *_: version)
+    monkeypatch.setattr(engines, "run_isolated", lambda *_: ("mujoco", version))
     said = collisions("engines")
     assert said.code == 0
     line = f"MuJoCo {version} is none of the versions that the lab was tried with (mujoco>=3.12,<5): its numbers may"
@@ -53,8 +84,8 @@ def test_a_version_that_was_not_tried_gets_a_warning(version, warned, monkeypatc
 
 def test_the_versions_that_are_pinned_are_within_the_bounds():
     for line in (Path(__file__).parents[3] / "constraints.txt").read_text().splitlines():
-        name, _, version = line.partition("==")
+        name, _, version = line.partition(";")[0].partition("==")
         for engine in map(load_engine, engine_names()):
-            if engine.package == name:
+            if name in engine.sources():
                 assert tried_versions.warning(engine, version) == ""
                 assert tried_versions.warning(engine, "0.1") != "", "each engine has bounds"

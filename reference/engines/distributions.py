@@ -1,0 +1,49 @@
+"""Which installed distribution an engine's module comes from: PyBullet has two, and both may be installed."""
+
+from __future__ import annotations
+
+import base64
+import functools
+import hashlib
+import importlib.metadata
+from collections.abc import Sequence
+from importlib.metadata import Distribution, PackagePath
+
+_BINARIES = ".so", ".pyd"
+
+
+@functools.cache
+def installed(names: Sequence[str], module: str) -> Distribution | None:
+    """The distribution among these that is installed, in this order; None where none is.
+
+    Where several are, they have written the same file, and the last one's is there: the one whose hash it has.
+    """
+    found = [each for name in names if (each := _known(name)) is not None]
+    if len(found) > 1:
+        found.sort(key=lambda each: not any(_is_there(file) for file in _binaries(each, module)))
+    return found[0] if found else None
+
+
+def _known(name: str) -> Distribution | None:
+    try:
+        return importlib.metadata.distribution(name)
+    except importlib.metadata.PackageNotFoundError:
+        return None
+
+
+def _binaries(distribution: Distribution, module: str) -> list[PackagePath]:
+    """The files of a distribution that are the module itself, as `pybullet.cpython-313-x86_64-linux-gnu.so` is."""
+    files = distribution.files or []
+    return [each for each in files if each.name.split(".")[0] == module and each.suffix in _BINARIES]
+
+
+def _is_there(file: PackagePath) -> bool:
+    """Whether a file still is what its distribution has installed."""
+    try:
+        content = file.locate().read_bytes()  # type: ignore[attr-defined]
+    except OSError:
+        return False
+    if file.hash is None or file.hash.mode not in hashlib.algorithms_available:
+        return False
+    digest = hashlib.new(file.hash.mode, content).digest()
+    return base64.urlsafe_b64encode(digest).rstrip(b"=").decode() == file.hash.value
