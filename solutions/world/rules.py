@@ -51,7 +51,7 @@ class Rules(NamedTuple):
     stiffness : k of a penalty contact, N/m
         A step that is longer than `penalty_step_limit` makes a contact gain energy
         without end, with this k, the effective mass and the damping of the contact. The
-        world does not refuse it.
+        world does not refuse it, but `run_world` ends when the motion has run away.
     sleep_speed : m/s; bodies that stay slower for `sleep_after` s are left out
         0, and nothing sleeps; it must be 0 with the response 'in time order'. Only a
         contact with a faster body wakes a sleeper. It does not notice a change of the

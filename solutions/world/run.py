@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite
+from solutions.checks import finite, of_shape
 from solutions.world.bodies import Bodies, State
 from solutions.world.memory import NOTHING, Memory
 from solutions.world.rules import Rules
@@ -22,9 +22,15 @@ Forces = (
 )
 """Forces and torques on all bodies, (n, 3) each, N and N m; see `run_world`."""
 UNSTABLE = (
-    "; a spring or a damper makes a motion grow without end if dt is too long:"
-    " `spring_step_limit` of solutions.forces gives the longest"
+    "; a spring, a damper or a penalty contact makes a motion grow without end"
+    " if dt is beyond its step limit: see `spring_step_limit` of"
+    " solutions.forces and `penalty_step_limit` of solutions.response"
 )
+RUNAWAY = 1e9
+"""A speed and a spin that no body of a right scene has, m/s and rad/s.
+
+It is beyond the speed of light, and such a spin tears all but specks of dust apart.
+"""
 
 
 class Run(State):
@@ -99,18 +105,18 @@ def run_world(
     v⁺ = v + Δt F(x, v, t)/m, and x⁺ = x + Δt v⁺.
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
-        if not isinstance(count, int | np.integer) or count < least:
+        is_whole = isinstance(count, int | np.integer)
+        if not is_whole or isinstance(count, bool) or count < least:
             raise ValueError(
                 f"{name} must be a whole number from {least}, not {count!r}"
             )
-    if not isinstance(memory, Memory):
-        raise ValueError(
-            "memory must be what another run left in its attribute memory, or"
-            f" left out, not {type(memory).__name__}"
-        )
-    if callable(forces) or not all(map(callable, forces)):
+    if not isinstance(forces, Sequence) or not all(map(callable, forces)):
         raise ValueError(f"forces must be a list of functions, not {forces!r}")
-    start, kept = float(finite("time", time)), [state]
+    start, dt = (
+        float(of_shape(name, finite(name, value), ()))
+        for name, value in (("time", time), ("dt", dt))
+    )
+    kept = [state]
     acting = [
         _with_time(f"forces[{i}]", each) for i, each in enumerate(forces)
     ]
@@ -125,6 +131,12 @@ def run_world(
         if not all(np.all(np.isfinite(part)) for part in state):
             raise ValueError(
                 f"the motion is not finite at {now + dt:g} s{UNSTABLE}"
+            )
+        fastest = np.max(np.abs(state[2:]), initial=0.0)
+        if fastest > RUNAWAY:
+            raise ValueError(
+                f"a body has reached {fastest:.2g} m/s or rad/s at"
+                f" {now + dt:g} s{UNSTABLE}"
             )
         if count % every == 0:
             kept.append(state)

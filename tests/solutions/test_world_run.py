@@ -196,14 +196,21 @@ def test_a_function_of_more_than_state_and_time_is_refused_and_so_is_a_time_that
         run_world(bodies, state, DOWN, 0.01, 1, forces=[scaled])
     with pytest.raises(ValueError, match="time must be finite, not nan"):
         run_world(bodies, state, DOWN, 0.01, 1, time=np.nan)
+    with pytest.raises(ValueError, match="forces must be a list of functions, not None"):
+        run_world(bodies, state, DOWN, 0.01, 1, forces=None)
 
 
-@pytest.mark.parametrize(("stiffness", "damping"), [(0.0, 5e3), (1e7, 0.0), (2e6, 8e3)])
-def test_a_spring_or_damper_beyond_the_step_limit_is_told_where_to_find_it(stiffness, damping):
-    bodies, state = make_bodies([("sphere", 0.1)], [1.0], [[0.01] * 3]), make_state([(0.1, 0, 0)], velocity=[(1, 0, 0)])
+@pytest.mark.parametrize("response", ["sequential", "penalty"])
+@pytest.mark.parametrize(
+    ("stiffness", "damping", "of_spin"), [(0.0, 5e3, 0.0), (1e7, 0.0, 0.0), (2e6, 8e3, 0.0), (0.0, 0.0, 50.0)]
+)
+def test_what_runs_away_beyond_its_step_limit_is_refused_soon(stiffness, damping, of_spin, response):
+    shapes = [("sphere", 0.1), ("half-space", (0, 0, 1))]
+    bodies = make_bodies(shapes, [1.0, np.inf], [[0.01] * 3] * 2, restitution=0.5)
+    state = make_state([(0.1, 0, 0.1), (0, 0, 0)], velocity=[(1, 0, 1), (0, 0, 0)], angular_velocity=[(0, 0, 1)])
 
     def force(now):
-        return -stiffness * now.position - damping * now.velocity, np.zeros((1, 3))
+        return -stiffness * now.position - damping * now.velocity, -of_spin * now.angular_velocity
 
-    with np.errstate(all="ignore"), pytest.raises(ValueError, match="spring_step_limit"):
-        run_world(bodies, state, (0, 0, 0), 0.01, 200, forces=[force])
+    with pytest.raises(ValueError, match=r"has reached .* step limit"):
+        run_world(bodies, state, (0, 0, 0), 0.01, 50, Rules(response=response), [force])
