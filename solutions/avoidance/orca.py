@@ -15,7 +15,7 @@ from solutions.avoidance.cones import orca_half_plane
 from solutions.avoidance.directions import in_plane
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.checks import not_negative, positive, whole
+from solutions.checks import not_negative, of_shape, positive, whole
 from solutions.scaling import length_of
 
 
@@ -92,8 +92,12 @@ def crowd_step(
         ),
         len(p),
     )
+    horizon, dt = (
+        float(of_shape(name, positive(name, time), ()))
+        for name, time in (("horizon", horizon), ("dt", dt))
+    )
     # Rounding may make equal times differ: 0.3 is less than 3 · 0.1.
-    if positive("horizon", horizon) < (1 - 1e-12) * positive("dt", dt):
+    if horizon < (1 - 1e-12) * dt:
         raise ValueError(
             f"horizon must be no shorter than the step, {dt} s, not"
             f" {horizon} s: discs could meet within the step"

@@ -152,7 +152,7 @@ def make_bodies(
     }
     most = max(
         1 + int(np.max(kinds, initial=0)),
-        *(len(np.atleast_1d(table)) for table in named.values()),
+        *(max(np.shape(table), default=1) for table in named.values()),
     )
     bounce, kinetic, static, meet = (
         _table(name, table, most) for name, table in named.items()
@@ -214,7 +214,7 @@ def _table(name: str, values: ArrayLike, count: int) -> Array:
     table = of_shape(
         name, finite(name, not_negative(name, values)), (count, count)
     )
-    if np.any(table != table.T) and np.ndim(values) == 1:
+    if np.any(table != table.T) and np.shape(values) != table.shape:
         advice, letter = "", name[0]
         if np.asarray(values).dtype != bool:
             advice = (

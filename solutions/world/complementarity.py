@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.checks import finite, not_negative
+from solutions.checks import finite, not_negative, whole
 
 NEGLIGIBLE = 1e-10
 """Share of the largest number below which one of Lemke's table counts as 0.
@@ -31,7 +31,7 @@ SOLVED, NEARLY = 1e-10, 1e-7
 With the first no further attempt is made; with the second the best attempt is taken.
 """
 CONVERGED = 1e-6
-"""Share of the largest |b_i| that is left where sweeps have converged."""
+"""Share of the terms of a row that is left where sweeps have converged."""
 FAINT = 1e-6
 """Share of the largest force below which a force may be rounding."""
 UNMET = 0.05
@@ -119,13 +119,16 @@ def solve_by_sweeps(
     Raises
     ------
     ValueError
-        If the shapes do not fit, a number is not finite, or an A_ii is
-        negative.
+        If the shapes do not fit, a number is not finite, an A_ii is negative,
+        or sweeps is no whole number from 0.
 
     Warns
     -----
     NotConverged
-        Where the `complementarity_residual` is above 1e-6 of max |b_i|.
+        Where the `complementarity_residual` of a row i is above 1e-6 of the
+        terms that add up there, |b_i| + Σ_j |A_ij| f_j. So a large row hides
+        a small one only if it is 1e7 times as large, when the small one may
+        be rounding. Each problem is compared with itself alone.
 
     Notes
     -----
@@ -149,20 +152,30 @@ def solve_by_sweeps(
     own = np.diagonal(a, axis1=-2, axis2=-1)
     f *= own > 0
     divisor = np.where(own > 0, own, np.inf)
-    for _ in range(sweeps):
+    count = int(
+        finite("sweeps", not_negative("sweeps", whole("sweeps", sweeps)))
+    )
+    for _ in range(count):
         for i in range(f.shape[-1]):
             gap = np.vecdot(a[..., i, :], f) + b[..., i]
             f[..., i] = np.maximum(0.0, f[..., i] - gap / divisor[..., i])
-    _say_what_is_left(complementarity_residual(a, b, f), b, sweeps)
+    _say_what_is_left(a, b, f, count)
     return f
 
 
-def _say_what_is_left(residual: Array, offset: Array, sweeps: int) -> None:
-    """Warn where the sweeps have left more than rounding of some problem."""
-    size = np.max(np.abs(offset), axis=-1, initial=0.0)
-    wrong = residual > CONVERGED * size
+def _say_what_is_left(a: Array, b: Array, f: Array, sweeps: int) -> None:
+    """Warn where the sweeps have left more than rounding of some row."""
+    # Each row is a problem of its own if all other forces are fixed.
+    own = np.maximum(np.diagonal(a, axis1=-2, axis2=-1), 0.0)
+    others = np.matvec(a, f) - own * f + b
+    residual = complementarity_residual(
+        own[..., None, None], others[..., None], f[..., None]
+    )
+    terms = np.matvec(np.abs(a), f) + np.abs(b)
+    largest = np.max(terms, axis=-1, keepdims=True, initial=0.0)
+    wrong = residual > CONVERGED * np.maximum(terms, NEARLY * largest)
     if np.any(wrong):
-        worst = np.max(np.where(wrong, residual, 0.0))
+        worst = np.max(residual[wrong])
         warnings.warn(
             f"{sweeps} sweeps have not converged: the accelerations are wrong by"
             f" up to {worst:.2g} m/s² (complementarity_residual)",
@@ -364,20 +377,17 @@ def _falling_rows(table: Array, entering: int, least: float) -> Integers:
 
 
 def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:
-    a, b = np.asarray(matrix, dtype=float), np.asarray(offset, dtype=float)
+    a, b = finite("matrix", matrix), finite("offset", offset)
     if a.ndim < 2 or b.ndim < 1 or a.shape[-2:] != (b.shape[-1], b.shape[-1]):
         raise ValueError(
             "matrix must be (..., m, m) for an offset (..., m), not"
             f" {a.shape} for {b.shape}"
         )
     least = (
-        NEGLIGIBLE
-        * np.max(np.abs(finite("matrix", a)), axis=(-2, -1), initial=0.0)[
-            ..., None
-        ]
+        NEGLIGIBLE * np.max(np.abs(a), axis=(-2, -1), initial=0.0)[..., None]
     )
     # A diagonal below zero by no more than rounding does no harm.
     not_negative(
         "diagonal of matrix", np.diagonal(a, axis1=-2, axis2=-1) + least
     )
-    return a, finite("offset", b)
+    return a, b

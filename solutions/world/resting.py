@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
-from solutions.checks import finite, matrix, not_negative, unit, vector
+from solutions.checks import finite, matrix, not_negative, unit, vector, whole
 
 
 def contact_jacobian(
@@ -190,7 +190,8 @@ def sequential_impulses(
     Raises
     ------
     ValueError
-        If μ is negative or not finite, or a velocity is not finite.
+        If μ is negative or not finite, a velocity is not finite, or sweeps is
+        no whole number from 0.
 
     Notes
     -----
@@ -221,7 +222,10 @@ def sequential_impulses(
     # Three numbers at a time are faster in plain Python.
     once = [each.tolist() for each in (masses, own[:, 1:, 0], mu, wanted)]
     sums = impulses.tolist()
-    for _ in range(sweeps):
+    count = int(
+        finite("sweeps", not_negative("sweeps", whole("sweeps", sweeps)))
+    )
+    for _ in range(count):
         for k, (mass, beside, limit, least_speed) in enumerate(
             zip(*once, strict=True)
         ):

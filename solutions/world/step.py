@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, positive
+from solutions.checks import finite, of_shape, positive
 from solutions.impulse import world_inverse_inertia
 from solutions.world.answered import answered, driven_together, grouped
 from solutions.world.bodies import Bodies, State, fitting
@@ -57,9 +57,16 @@ def advance_world(
     ------
     ValueError
         If there is no such response, it does not know the law, a number of the rules is
-        out of its range, dt is not positive, or an array is not finite or does not fit.
+        out of its range, dt is not positive, the memory is none or that of another
+        number of bodies, or an array is not finite or does not fit.
     """
-    rules, dt = known(Rules(*rules)), float(finite("dt", positive("dt", dt)))
+    rules = known(Rules(*rules))
+    dt = float(of_shape("dt", finite("dt", positive("dt", dt)), ()))
+    if not isinstance(memory, Memory):
+        raise ValueError(
+            "memory must be what another step left, or a run in its attribute"
+            f" memory, or left out, not {type(memory).__name__}"
+        )
     state, acceleration, force, torque = fitting(
         bodies, state, acceleration, force, torque
     )
@@ -204,7 +211,8 @@ def _step_with_sleepers(
         rules._replace(sleep_speed=0.0),
         is_awake(bodies, state, rules),
     )
-    still = np.where(fast, 0.0, np.broadcast_to(memory.still, fast.shape))
+    still = of_shape("memory.still", memory.still, fast.shape)
+    still[fast] = 0.0
     while True:
         asleep = still >= rules.sleep_after
         lying = with_sleepers(bodies, state, asleep)

@@ -524,6 +524,8 @@ def test_a_crowd_step_changes_no_input_and_refuses_nonsense():
         ({4: -1.0}, "max_speed must be zero or positive, not -1"),
         ({5: 0.0}, "horizon must be positive, not 0"),
         ({6: 0.0}, "dt must be positive, not 0"),
+        ({5: [2.0] * 6}, r"horizon must have the shape \(\), .* not \(6,\)"),
+        ({6: [0.1] * 6}, r"dt must have the shape \(\), .* not \(6,\)"),
         ({5: 0.05}, r"horizon must be no shorter than the step, 0.1 s, not 0.05 s"),
         ({1: velocity[:4]}, r"velocity must have the shape \(6, 2\) of the positions, not \(4, 2\)"),
         ({0: np.zeros((6, 3))}, r"position must have shape \(..., 2\), not \(6, 3\)"),

@@ -7,6 +7,7 @@ import pytest
 
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.mass import in_principal_axes
+from solutions.world.memory import NOTHING
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
 from solutions.world.step import advance_world
@@ -43,6 +44,7 @@ def two(**others):
             r"one value, or a table .* not \(2,\): .* material=range\(2\), .*np.sqrt\(np.outer",
         ),
         ({"friction": [0.2, 0.9, 0.3], "material": [2, 0]}, r"friction must be one value, .* material=range\(3\)"),
+        ({"restitution": [[0.5, 0.6]]}, r"restitution must be one value, or a table .* not \(1, 2\)"),
     ],
 )
 def test_coefficients_that_no_pair_of_materials_has_are_refused(given, says):
@@ -124,6 +126,14 @@ def test_a_state_that_is_not_that_of_n_bodies_is_refused(state, says):
     [
         ({"dt": 0.0}, "dt must be positive, not 0"),
         ({"dt": -0.01}, "dt must be positive, not -0.01"),
+        ({"dt": "a"}, "dt must be real numbers, not 'a'"),
+        ({"dt": [0.01, 0.02]}, r"dt must have the shape \(\), .* not \(2,\)"),
+        ({"acceleration": np.array([0, 0, 1j])}, r"acceleration must be real numbers, not array\(\[0"),
+        ({"memory": None}, "memory must be what another step left, .* not NoneType"),
+        (
+            {"memory": NOTHING._replace(still=np.zeros(3)), "rules": Rules(sleep_speed=0.1)},
+            r"memory.still must have the shape \(2,\)",
+        ),
         ({"acceleration": -9.81}, "acceleration must have shape"),
         ({"acceleration": (0, 0, -INF)}, "acceleration must be finite, not -inf"),
         ({"force": NAN * np.ones((2, 3))}, "force must be finite, not nan"),
@@ -145,7 +155,15 @@ def test_a_step_that_no_world_can_take_is_refused(given, says):
         advance_world(**{**usual, **given})
 
 
-@pytest.mark.parametrize(("given", "says"), [({"steps": -1}, "steps .* from 0, not -1"), ({"every": 0}, "not 0")])
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"steps": -1}, "steps .* from 0, not -1"),
+        ({"every": 0}, "not 0"),
+        ({"steps": True}, "steps .* not True"),
+        ({"dt": "a"}, "dt must be real numbers, not 'a'"),
+    ],
+)
 def test_a_run_of_no_number_of_steps_is_refused(given, says):
     with pytest.raises(ValueError, match=says):
-        run_world(two(), make_state([(0, 0, 1), (1, 2, 3)]), DOWN, 0.01, **{"steps": 3, **given})
+        run_world(two(), make_state([(0, 0, 1), (1, 2, 3)]), DOWN, **{"dt": 0.01, "steps": 3, **given})

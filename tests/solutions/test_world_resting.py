@@ -258,6 +258,8 @@ def test_every_contact_of_a_stack_carries_the_weights_above_it():
         assert complementarity_residual(a, b, solve_by_sweeps(a, b, 20)) > 0.1
     with pytest.warns(NotConverged, match=r"by up to 10 m/s²"):  # one of many: the first lies still
         solve_by_sweeps(a, np.array([0 * b, b]), 0)
+    with pytest.warns(NotConverged, match=r"by up to 1 m/s²"):  # a row 1e7 times as large hides none
+        solve_by_sweeps(np.diag([1.0, 0.0]), [-1e7, -1.0], 1)
 
 
 @pytest.mark.parametrize("seed", [0, 785, 1183, 3256])
@@ -531,7 +533,10 @@ def test_many_rows_at_once_are_the_same_as_one_after_another():
         (lambda: sequential_impulses(np.zeros(6), np.zeros((1, 3, 6)), np.eye(6), -0.1), "friction"),
         (lambda: solve_by_pivots(np.eye(3), [1.0, 2.0]), "matrix"),
         (lambda: solve_by_sweeps([1.0], [1.0], 3), "matrix"),
+        (lambda: sequential_impulses(np.zeros(6), np.zeros((1, 3, 6)), np.eye(6), 0.1, -1), "sweeps must be zero or"),
         (lambda: solve_by_sweeps(np.eye(2), [1.0, 2.0], 3, start=np.nan), "start"),
+        (lambda: solve_by_sweeps(np.eye(2), [1.0, 2.0], -1), "sweeps must be zero or positive, not -1"),
+        (lambda: solve_by_sweeps(np.eye(2), [1.0, 2.0], True), "sweeps must be a whole number, not True"),
         (lambda: solve_by_pivots(-np.eye(2), [1.0, -2.0]), "diagonal of matrix"),
         (lambda: solve_by_sweeps([[-1e-12]], [1.0], 1), "diagonal of matrix"),
         (lambda: complementarity_residual(np.eye(2), [np.nan, 0.0], [0.0, 0.0]), "offset"),
