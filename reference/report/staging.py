@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from reference.writable import folder_for
+from reference.writable import check_file, folder_for
 
 CONTENT, OPTION = "the report", "--out"
 PAGE = "index.html"
@@ -27,9 +27,10 @@ def staged(out: Path) -> Iterator[Path]:
     Raises
     ------
     InvalidInput, CannotWrite
-        If `out` is no folder or cannot be written; if the disk is full.
+        If `out` is no folder or cannot be written; if its page is a folder; if the disk is full.
     """
     with folder_for(CONTENT, out, OPTION):
+        check_file(CONTENT, out / PAGE, OPTION)
         stage = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=out))
         try:
             yield stage

@@ -84,23 +84,26 @@ def test_the_page_is_replaced_after_all_other_files(earlier, monkeypatch):
 def test_an_unusable_folder_for_a_report_is_refused(tmp_path):
     occupied = tmp_path / "occupied"
     occupied.write_text("mine")
-    for out in (occupied, occupied / "deeper", occupied / "still" / "deeper", tmp_path / ("long" * 100)):
+    page = tmp_path / "page"
+    (page / "index.html").mkdir(parents=True)
+    for out in (occupied, occupied / "deeper", occupied / "still" / "deeper", tmp_path / ("long" * 100), page):
         with pytest.raises(InvalidInput, match=r"cannot write the report to .*; choose another --out"), staged(out):
             raise AssertionError("found out before anything runs")
     assert occupied.read_text() == "mine"
-    assert os.listdir(tmp_path) == ["occupied"]
+    assert sorted(os.listdir(tmp_path)) == ["occupied", "page"]
+    assert os.listdir(page) == ["index.html"]
 
 
 def test_a_folder_in_the_way_of_a_file_is_refused_without_leftovers(tmp_path):
     out = tmp_path / "out"
-    (out / "index.html").mkdir(parents=True)
-    (out / "index.html" / "mine").write_text("mine")
+    (out / "rows.json").mkdir(parents=True)
+    (out / "rows.json" / "mine").write_text("mine")
 
     def try_it() -> None:
         with staged(out) as folder:
-            (folder / "index.html").write_text("new")
+            (folder / "rows.json").write_text("new")
 
     with pytest.raises(InvalidInput, match="cannot write the report"):
         try_it()
-    assert content(out) == {os.path.join("index.html", "mine"): b"mine"}
-    assert os.listdir(out) == ["index.html"]
+    assert content(out) == {os.path.join("rows.json", "mine"): b"mine"}
+    assert os.listdir(out) == ["rows.json"]
