@@ -101,6 +101,8 @@ def _rows_of(path: Path, schema: str, kind: type[R]) -> list[R]:
 
 def _read(path: Path, schema: str) -> dict[str, Any]:
     try:
+        if path.exists() and not path.is_file():  # a device may have no end
+            raise OSError(None, "not a regular file")
         content = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise InvalidInput(f"cannot read {str(path)!r}: {error.strerror}") from None

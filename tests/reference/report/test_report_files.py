@@ -206,6 +206,8 @@ def test_a_file_that_cannot_be_opened_or_decoded_is_refused(tmp_path):
         read_rows(tmp_path / "missing.json")
     with pytest.raises(InvalidInput, match="cannot read"):
         read_rows(tmp_path)
+    with pytest.raises(InvalidInput, match="cannot read '/dev/null': not a regular file"):  # another may have no end
+        read_rows(Path("/dev/null"))
     (tmp_path / "latin").write_bytes("μ".encode("latin-1", errors="replace") + b"\xb5")
     with pytest.raises(InvalidInput, match="is not JSON"):
         read_rows(tmp_path / "latin")
