@@ -27,7 +27,10 @@ def check(
     seconds: Annotated[
         float,
         typer.Option(
-            metavar="S", help="How long all of this may compute and sleep; what is not tried by then says so."
+            metavar="S",
+            min=1e-3,
+            max=1e6,
+            help="How long all of this may compute and sleep; what is not tried by then says so.",
         ),
     ] = SECONDS,
 ) -> None:

@@ -74,7 +74,7 @@ def grade(
         str, typer.Option(metavar="NAME", help="What you call the release, to be kept with grades.")
     ] = "",
     seconds: Annotated[
-        float, typer.Option(metavar="S", help="How long each submission may compute and sleep.")
+        float, typer.Option(metavar="S", min=1e-3, max=1e6, help="How long each submission may compute and sleep.")
     ] = SECONDS,
     runs: Annotated[
         bool,

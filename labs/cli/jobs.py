@@ -81,7 +81,8 @@ Cluster = Annotated[
     ),
 ]
 Seconds = Annotated[
-    float, typer.Option("--seconds", metavar="S", min=1e-3, help="How long each run may take; a longer one is lost.")
+    float,
+    typer.Option("--seconds", metavar="S", min=1e-3, max=1e6, help="How long each run may take; a longer one is lost."),
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything again, and keep the new results in the cache.")]
 

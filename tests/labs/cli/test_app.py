@@ -39,6 +39,12 @@ def test_help_lists_the_commands_and_an_unknown_command_is_refused():
     assert (wrong.code, "No such command 'compere'" in wrong.error) == (2, True)
 
 
+@pytest.mark.parametrize("command", [("compare",), ("check", "lab.py"), ("grade", ".", "--lab", "impulse")])
+def test_a_time_without_end_is_refused_by_the_name_of_its_option(command):
+    wrong = collisions(*command, "--seconds", "inf")
+    assert (wrong.code, "--seconds" in wrong.error) == (2, True)
+
+
 def test_the_program_prints_its_version():
     said = collisions("--version")
     assert (said.code, said.output) == (0, f"collisions-lab {importlib.metadata.version('collisions-lab')}\n")
