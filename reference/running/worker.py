@@ -93,11 +93,11 @@ def _answered(message: bytes) -> bytes:
         return pickle.dumps((True, value))
     except _OutOfTime as error:
         return pickle.dumps((False, WorkerTimeout(too_long(timeout) + place_of(error.__traceback__))))
-    except Exception as error:
+    except (Exception, KeyboardInterrupt) as error:  # SIGINT is ignored: the job's own code raised it
         return pickle.dumps((False, _portable(error)))
 
 
-def _portable(error: Exception) -> CollisionsError:
+def _portable(error: BaseException) -> CollisionsError:
     """Return an error that can be pickled and raised in the parent."""
     if isinstance(error, CollisionsError):
         with contextlib.suppress(Exception):

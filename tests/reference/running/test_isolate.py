@@ -192,6 +192,13 @@ def test_a_worker_that_dies_loses_its_job_and_reports_how(death, how):
     assert work("1 + 1") == 2
 
 
+def test_an_interrupt_that_a_job_raises_is_its_own_error():
+    before = worker_pid()
+    with pytest.raises(RunFailed, match="KeyboardInterrupt"):
+        work("(_ for _ in ()).throw(KeyboardInterrupt)")
+    assert worker_pid() == before
+
+
 @pytest.mark.parametrize("name", ["SIGKILL", "SIGTERM", "SIGHUP"])
 def test_a_worker_that_is_killed_from_outside_loses_its_job_without_blame(name):
     with pytest.raises(WorkerKilled, match=rf"its process was killed from outside \({name}\)"):
