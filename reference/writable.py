@@ -12,8 +12,8 @@ from pathlib import Path
 
 from reference.errors import CannotWrite, InvalidInput
 
-_NO_FAULT_OF_THE_PATH = (errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM)
-"""What goes wrong with any path: the disk or somebody's share of it is full, it fails, or too many files are open."""
+_NO_FAULT_OF_THE_PATH = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM)
+"""What goes wrong with any path: the disk or somebody's share of it is full, it fails, or there is a limit on files."""
 
 
 @contextlib.contextmanager

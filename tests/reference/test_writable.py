@@ -50,7 +50,7 @@ def test_a_file_that_cannot_be_written_is_refused_with_the_reason(name, why, tmp
     assert sorted(os.listdir(tmp_path)) == ["file", "folder"]
 
 
-@pytest.mark.parametrize("code", [errno.ENOSPC, errno.EDQUOT, errno.EIO])
+@pytest.mark.parametrize("code", [errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO])
 def test_a_full_disk_is_not_the_fault_of_the_path(code, tmp_path):
     words = rf"cannot write notes to '{tmp_path}/a': {os.strerror(code)}$"
     with pytest.raises(CannotWrite, match=words), refused_in_words("notes", tmp_path / "a", "--out"):
