@@ -58,6 +58,7 @@ if "google.colab" in sys.modules:
     if not find_lab():
         raise FileNotFoundError("no archive of the lab: run this cell again")
     !pip install --quiet mujoco hypothesis "pytest>=8.4"
+    !pip install --quiet pybullet-arm64 dartpy
 
 for folder in find_lab()[:1]:
     sys.path.insert(0, str(folder))

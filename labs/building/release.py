@@ -29,7 +29,7 @@ from reference.writable import check_file, new_folder_for, refused_in_words
 
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
-_FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
+_FILES = ("pyproject.toml", "constraints.txt", "bullet.txt", "LICENSE")
 _LEFT_OUT = (
     "labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py", "labs/gradebook",
     "labs/cli/grade.py", "labs/cli/export.py",

@@ -70,7 +70,9 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
    ```sh
    python3 -m venv .venv
    source .venv/bin/activate
+   python -m pip install --no-deps --require-hashes -r bullet.txt
    python -m pip install -c constraints.txt -e ".[notebooks,engines]"
+   python -m pip install -c constraints.txt -e ".[dart]"
    ```
 
    On Windows, in PowerShell:
@@ -78,7 +80,9 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
    ```sh
    py -m venv .venv
    .venv\\Scripts\\activate
+   python -m pip install --no-deps --require-hashes -r bullet.txt
    python -m pip install -c constraints.txt -e ".[notebooks,engines]"
+   python -m pip install -c constraints.txt -e ".[dart]"
    ```
 
 3. Open the notebook:
@@ -91,8 +95,8 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
 
 In a new terminal, go into the folder again, repeat the line with `activate`, and open the notebook.
 
-PyBullet has ready-made packages for Python 3.11 on Linux only; elsewhere MuJoCo alone is installed. Nothing is lost:
-an engine that is not installed is shown from recordings.
+Python 3.12 and 3.13 can have all three engines, PyBullet, MuJoCo and DART, on Linux, Windows and newer Macs. If the
+last line fails, go on: an engine that is not installed is shown from recordings, and nothing is lost.
 
 ## On Colab
 

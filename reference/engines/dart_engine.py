@@ -56,7 +56,7 @@ class Dart(Engine):
     order = 30
     package = "dartpy"
     extra = "dart"
-    wheels = "CPython from 3.10 on Linux, macOS 15 on ARM and Windows"
+    wheels = "CPython from 3.12 on Linux, macOS 15 on ARM and Windows, and 3.11 on Linux"
     applies_forces = True
     allowed: ClassVar[Mapping[str, Allowed]] = {
         "detector": DETECTORS,
