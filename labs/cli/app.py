@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import importlib.metadata
 import importlib.util
 import logging
 from typing import Annotated, Any
@@ -14,6 +13,7 @@ from typer.core import TyperGroup
 
 from labs.cli.console import errors, own_streams
 from labs.cli.ending import let_signals_interrupt, told, told_whatever_happens
+from reference.engines.distributions import lab_version
 
 COMMANDS = ("check", "grade", "export", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
 """Each is a function of the same name in a module of the same name."""
@@ -57,7 +57,7 @@ app = typer.Typer(
 
 def _version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"collisions-lab {importlib.metadata.version('collisions-lab')}")
+        typer.echo(f"collisions-lab {lab_version()}")
         raise typer.Exit
 
 

@@ -21,7 +21,7 @@ def engines() -> None:
         try:
             (distribution, version), here = run_isolated(_found, PROBE_LIMIT, name), "[green]✓ ready[/]"
             missing.append(tried_versions.warning(load_engine(name), version))
-            if distribution not in ("collisions-lab", load_engine(name).package):
+            if distribution != load_engine(name).package:
                 version = f"{version} ({distribution})"
         except EngineNotInstalled as error:
             version, here = "", "[yellow]– not installed[/]"
@@ -38,8 +38,8 @@ def engines() -> None:
         output.print(message, soft_wrap=True, markup=False)
 
 
-def _found(name: str) -> tuple[str, str]:
+def _found(name: str) -> tuple[str | None, str]:
     """Import an engine's package; say its distribution and version. In a worker: it may print or crash as it likes."""
     engine = load_engine(name)
     engine.module()
-    return engine.distribution().name, engine.version()
+    return engine.distribution().name if engine.package else None, engine.version()

@@ -10,7 +10,6 @@ from __future__ import annotations
 import atexit
 import contextlib
 import hashlib
-import importlib.metadata
 import platform
 import tempfile
 import threading
@@ -35,6 +34,7 @@ from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
 from labs.grading.submission.statements import groups
 from labs.grading.worker.tier import Tier
 from labs.project_folders import AUTOGRADER
+from reference.engines.distributions import lab_version
 from reference.errors import InvalidInput
 
 
@@ -93,7 +93,7 @@ def versions(lab: str) -> dict[str, str]:
     for folder in (VISIBLE, HIDDEN):
         tests.update((AUTOGRADER / folder / f"test_{lab}.py").read_bytes())
     return {
-        "collisions-lab": importlib.metadata.version("collisions-lab"),
+        "collisions-lab": lab_version(),
         "python": platform.python_version(),
         "numpy": np.__version__,
         "tests": tests.hexdigest(),

@@ -193,10 +193,10 @@ class Engine(ABC):
 
     def sources(self) -> tuple[str, ...]:
         """Names of the distributions that may have installed the engine's package, the preferred one first."""
-        return self.distributions or (self.package or "collisions-lab",)
+        return self.distributions or ((self.package,) if self.package else ())
 
     def distribution(self) -> importlib.metadata.Distribution:
-        """The distribution of the engine's package, or this project for our own; `EngineNotInstalled` where none is."""
+        """The distribution that has installed the engine's package; `EngineNotInstalled` where none has."""
         found = distributions.installed(self.sources(), self.package or "")
         if found is None:
             raise self._missing("no such package")
@@ -204,7 +204,7 @@ class Engine(ABC):
 
     def version(self) -> str:
         """Version of the engine's package, or of this project for our own; `EngineNotInstalled` where it is missing."""
-        return self.distribution().version
+        return self.distribution().version if self.package else distributions.lab_version()
 
     def versions(self) -> Versions:
         """The versions of the engine and of the adapter; the engine's is empty where it is missing."""
@@ -212,7 +212,7 @@ class Engine(ABC):
             version = self.version()
         except EngineNotInstalled:
             version = ""
-        return {"engine_version": version, "adapter_version": importlib.metadata.version("collisions-lab")}
+        return {"engine_version": version, "adapter_version": distributions.lab_version()}
 
     def module(self) -> ModuleType:
         """Import the engine's package, late; `EngineNotInstalled` says how to get it."""

@@ -1,4 +1,4 @@
-"""Which installed distribution an engine's module comes from: PyBullet has two, and both may be installed."""
+"""Which installed distribution an engine's module comes from, and this project's version. PyBullet has two of them."""
 
 from __future__ import annotations
 
@@ -22,6 +22,12 @@ def installed(names: Sequence[str], module: str) -> Distribution | None:
     if len(found) > 1:
         found.sort(key=lambda each: not any(_is_there(file) for file in _binaries(each, module)))
     return found[0] if found else None
+
+
+def lab_version() -> str:
+    """The version of this project; empty where its tree was unpacked and not installed, as on Colab."""
+    found = _known("collisions-lab")
+    return found.version if found else ""
 
 
 def _known(name: str) -> Distribution | None:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from reference.comparison.results import JobResult
+from reference.engines.distributions import lab_version
 from reference.engines.handwritten_engine import Handwritten
 from reference.published.results import PublishedResult
 
@@ -42,5 +43,5 @@ def compared(results: Iterable[JobResult] | Iterable[PublishedResult]) -> list[s
 
 def machine() -> str:
     """The lab's version, Python's and the machine, in one sentence of the page."""
-    own = importlib.metadata.version("collisions-lab")
+    own = lab_version()
     return f"Collisions Lab {own}, Python {platform.python_version()} on {platform.system()} {platform.machine()}"

@@ -6,7 +6,6 @@ solutions are in the bundles of Gradescope and PrairieLearn alone, and there bes
 
 from __future__ import annotations
 
-import importlib.metadata
 import re
 import sys
 import tempfile
@@ -30,6 +29,7 @@ from labs.gradebook.written import Codes
 from labs.grading.judging.grade import as_json, read_grade
 from labs.project_folders import ROOT
 from reference import lecture
+from reference.engines.distributions import lab_version
 from reference.errors import InvalidInput
 
 FILES = Path(__file__).with_name("files")
@@ -172,7 +172,7 @@ def _project(lab: str) -> dict[str, bytes]:
 
 def _settings() -> dict[str, bytes]:
     """What makes a copy of the project work where it is not installed: its packages, and the version of itself."""
-    version = importlib.metadata.version("collisions-lab")
+    version = lab_version()
     metadata = f"Metadata-Version: 2.1\nName: collisions-lab\nVersion: {version}\n"
     return {f"collisions_lab-{version}.dist-info/METADATA": metadata.encode(), "requirements.txt": _requirements()}
 

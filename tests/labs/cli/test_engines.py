@@ -59,6 +59,12 @@ def installed(folder, name, version, written):
     (folder / "bullet.cpython-313-x86_64-linux-gnu.so").write_bytes(written)
 
 
+def test_a_tree_that_is_not_installed_has_no_version_and_runs(monkeypatch):
+    monkeypatch.setattr(distributions, "_known", lambda name: None)
+    engine = load_engine("handwritten")
+    assert (engine.version(), engine.versions()["adapter_version"]) == ("", "")
+
+
 @pytest.mark.parametrize("last", [("bullet", "bullet-of-another"), ("bullet-of-another", "bullet")])
 def test_of_two_distributions_that_wrote_the_same_module_the_last_one_counts(last, tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(tmp_path)
