@@ -9,16 +9,12 @@ import numpy as np
 from solutions.arrays import Array, Booleans, Integers
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, alike, pieces_of_contacts
+from solutions.world.in_flight import FAR, meet_in_flight
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import place_pieces, placed
 from solutions.world.rotation import turned
-from solutions.world.shapes import TOUCH, Placed
+from solutions.world.shapes import TOUCH, Found, Placed
 from solutions.world.vectors import cross
-
-LOOKS = 40
-"""How often a gap is looked at again; a graze needs 20 looks from 1 mm to 1e-10 m."""
-FAR = 1e300
-"""A margin within which two pieces have their places wherever they are, m."""
 
 
 def normal_speeds(
@@ -70,9 +66,8 @@ def closing(
     one does, a round one may pass the other. Bodies that do not turn are never
     nearer than along the first normal, because the distance of two convex
     bodies that move straight is a convex function of time. So what does not
-    close along the normal does not touch at all, and otherwise the gap at −s/u
-    is the next s. Each look comes nearer to the touch, as Newton's method
-    does, until the gap is closed, the two part, or the time is over.
+    close along the normal does not touch at all, and otherwise
+    `meet_in_flight` looks.
     """
     closes = contacts.separation <= TOUCH
     if np.all(closes):
@@ -111,27 +106,21 @@ def _touch_in_flight(
     touch = np.zeros(len(first), dtype=bool)
     one, other = pieces_of_contacts(bodies, contacts)
     for kinds, some in alike(bodies.pieces, one, other):
-        now = first[some]
-        for _ in range(LOOKS):
-            if not len(some):
-                break
-            a = _flown(bodies, state, one[some], motion, now)
-            b = _flown(bodies, state, other[some], motion, now)
+
+        def nearest(
+            chosen: Integers,
+            now: Array,
+            some: Integers = some,
+            kinds: tuple[int, int] = kinds,
+        ) -> tuple[Found, Array]:
+            a = _flown(bodies, state, one[some[chosen]], motion, now)
+            b = _flown(bodies, state, other[some[chosen]], motion, now)
             found = PAIRS[kinds](a.piece, b.piece, FAR)
-            order = np.lexsort((found.separation, found.pair))
-            nearest = order[
-                np.flatnonzero(np.diff(found.pair[order], prepend=-1))
-            ]
-            pair, gap = found.pair[nearest], found.separation[nearest]
-            apart = a.velocity_at(found.point[nearest], pair)
-            apart -= b.velocity_at(found.point[nearest], pair)
-            rate = np.vecdot(found.normal[nearest], apart)
-            touch[some[pair[gap <= TOUCH]]] = True
-            nearer = (gap > TOUCH) & (rate < 0)
-            pair, gap, rate = pair[nearer], gap[nearer], rate[nearer]
-            some, now = some[pair], now[pair] - gap / rate
-            early = now <= last[some]
-            some, now = some[early], now[early]
+            apart = a.velocity_at(found.point, found.pair)
+            apart -= b.velocity_at(found.point, found.pair)
+            return found, np.vecdot(found.normal, apart)
+
+        touch[some], _ = meet_in_flight(nearest, first[some], last[some])
     return touch
 
 

@@ -16,6 +16,8 @@ moments. Two bodies that do not `meet` go through each other.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -24,12 +26,14 @@ from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.hidden_places import hidden_places, inside_hulls
 from solutions.world.hull_pairs import FEATURES, hull_half_space, hull_hull
+from solutions.world.in_flight import FAR, meet_in_flight
+from solutions.world.rotation import turned
 from solutions.world.round_pairs import (
     sphere_box,
     sphere_half_space,
     sphere_sphere,
 )
-from solutions.world.shapes import Placed
+from solutions.world.shapes import TOUCH, Found, Placed
 
 BALL, CUBOID, PLANE = range(3)
 """The kinds of bodies in the lab. In a contact, A has the lower kind."""
@@ -37,13 +41,12 @@ SimpleBodies = tuple[Array, Array, Array, Array, Booleans, Integers, Array]
 """inverse_mass, moments, restitution, friction, meet, kind, size."""
 SimpleState = tuple[Array, Array, Array, Array]
 """position, orientation, velocity, angular_velocity."""
+SimplePlaces = tuple[Integers, Integers, Array, Array, Array]
+"""body_a, body_b, point, normal, separation."""
 SimpleContacts = tuple[Integers, Integers, Array, Array, Array, Integers]
 """body_a, body_b, point, normal, separation, key."""
-NEAR = 1e-9
-"""Share of two radii by which balls may miss and yet touch; positions of a few
-metres round by 1e-15 m, and what rests overlaps by more.
-"""
-TOUCHES = {
+Touch = Callable[[Placed, Placed, float], Found]
+TOUCHES: dict[tuple[int, int], Touch] = {
     (BALL, BALL): sphere_sphere,
     (BALL, CUBOID): sphere_box,
     (BALL, PLANE): sphere_half_space,
@@ -59,8 +62,8 @@ def manifolds(
     """All places at which some pairs of bodies touch, or nearly do.
 
     Those are left out that no body can reach, because another one is in front,
-    such as the side of a box that lies level beside the next one; and a ball
-    that approaches another one or a box, but passes it if both go straight on.
+    such as the side of a box that lies level beside the next one; and those of
+    two bodies that approach, but pass each other if they go straight on.
 
     Parameters
     ----------
@@ -105,55 +108,96 @@ def manifolds(
         np.concatenate(parts) for parts in zip(*found, strict=True)
     )
     order = np.argsort(pair, kind="stable")
-    a, b = first[pair[order]], second[pair[order]]
-    meets = ~_pass(kind, size, state, rotation, a, b)
-    order, a, b = order[meets], a[meets], b[meets]
-    key = (a * len(kind) + b) * FEATURES + feature[order]
-    places = point[order], normal[order], separation[order]
+    one, other = first[pair[order]], second[pair[order]]
+    places = one, other, point[order], normal[order], separation[order]
+    meets = np.flatnonzero(~_pass(kind, size, state, places))
+    order, one, other = order[meets], one[meets], other[meets]
+    key = (one * len(kind) + other) * FEATURES + feature[order]
+    met = point[order], normal[order], separation[order]
 
     def inside(number: Integers, at: Array) -> Booleans:
         return inside_hulls(
             _placed(CUBOID, number, position, rotation, size), at
         )
 
-    hidden = hidden_places(
-        (a, b), (a, b), *places, bodies[0] > 0, kind == CUBOID, inside
-    )
+    ab = one, other
+    hidden = hidden_places(ab, ab, *met, bodies[0] > 0, kind == CUBOID, inside)
     seen = np.flatnonzero(~hidden)
-    point, normal, separation = (each[seen] for each in places)
-    return a[seen], b[seen], point, normal, separation, key[seen]
+    point, normal, separation = (each[seen] for each in met)
+    return one[seen], other[seen], point, normal, separation, key[seen]
 
 
 def _pass(
-    kind: Integers,
-    size: Array,
-    state: SimpleState,
-    rotation: Array,
-    a: Integers,
-    b: Integers,
+    kind: Integers, size: Array, state: SimpleState, places: SimplePlaces
 ) -> Booleans:
-    """Which two bodies (m,) approach, and pass each other: A, a ball.
+    """Which places (m,) close, but belong to two bodies that pass each other.
 
-    Its centre is at x from the nearest place of B, which is the centre of a
-    ball, a corner of a box, or a place on an edge or a face. There only what
-    leads away from this edge or face counts of the relative velocity w. They
-    are nearest after t = −x·w/w². They may miss by the share `NEAR`, so that
-    rounding separates none.
+    Both go straight on and keep their spin, up to the touch, or until the
+    place has moved as far as the larger of the two is; then forces may decide.
     """
+    a, b, point, normal, separation = places
+    passes = np.zeros(len(a), dtype=bool)
+    apart = np.flatnonzero(separation > TOUCH)
+    slip = _apart(state, a[apart], b[apart], point[apart])
+    rate, speed = np.vecdot(normal[apart], slip), np.linalg.norm(slip, axis=-1)
+    closes = rate < 0
+    asked, rate, speed = apart[closes], rate[closes], speed[closes]
+    extent = np.max(size * (kind != PLANE)[:, None], axis=-1)
+    last = np.maximum(extent[a[asked]], extent[b[asked]]) / speed
+    for kinds, touch in TOUCHES.items():
+        some = np.flatnonzero(
+            (kind[a[asked]] == kinds[0]) & (kind[b[asked]] == kinds[1])
+        )
+
+        def nearest(
+            chosen: Integers,
+            now: Array,
+            pairs: Integers = asked[some],
+            kinds: tuple[int, int] = kinds,
+            touch: Touch = touch,
+        ) -> tuple[Found, Array]:
+            own = np.arange(2 * len(chosen))
+            one, other = np.split(own, 2)
+            bodies = np.concatenate([a[pairs[chosen]], b[pairs[chosen]]])
+            flown = _flown(state, bodies, np.tile(now, 2))
+            rotation = rotation_matrix(flown[1])
+            found = touch(
+                _placed(kinds[0], one, flown[0], rotation, size[bodies]),
+                _placed(kinds[1], other, flown[0], rotation, size[bodies]),
+                FAR,
+            )
+            pair, at, along = found[:3]
+            parts = _apart(flown, one[pair], other[pair], at)
+            return found, np.vecdot(along, parts)
+
+        first = -separation[asked[some]] / rate[some]
+        touches, near = meet_in_flight(nearest, first, last[some])
+        passes[asked[some]] = ~(touches | near)
+    return passes
+
+
+def _apart(
+    state: SimpleState, a: Integers, b: Integers, point: Array
+) -> Array:
+    """Velocity of A's point less that of B's, (m, 3), m/s."""
     position, _, velocity, spin = state
-    box = (kind[b] == CUBOID)[:, None]
-    own, half = np.where(box[..., None], rotation[b], np.eye(3)), size[b] * box
-    x = np.vecmat(position[a] - position[b], own)
-    place = np.clip(x, -half, half)
-    turning = np.cross(spin[b], np.matvec(own, place))
-    w = np.vecmat(velocity[a] - velocity[b] - turning, own)
-    x, w = x - place, np.where(box & (place == x), 0.0, w)
-    approach, squared = -np.vecdot(x, w), np.vecdot(w, w)
-    nearest = x + w * (approach / np.where(squared > 0, squared, 1.0))[:, None]
-    apart = (1 + NEAR) * (size[a, 0] + np.where(box[:, 0], 0.0, size[b, 0]))
-    misses = np.vecdot(nearest, nearest) > apart**2
-    no_plane = (kind[a] == BALL) & (kind[b] != PLANE)
-    return np.asarray(no_plane & (approach > 0) & misses)
+    of_a, of_b = (
+        velocity[each] + np.cross(spin[each], point - position[each])
+        for each in (a, b)
+    )
+    return np.asarray(of_a - of_b)
+
+
+def _flown(state: SimpleState, number: Integers, time: Array) -> SimpleState:
+    """Bodies after free flights of so long, (k,), s."""
+    position, orientation, velocity, spin = (each[number] for each in state)
+    seconds = time[:, None]
+    return (
+        position + seconds * velocity,
+        turned(orientation, seconds * spin),
+        velocity,
+        spin,
+    )
 
 
 def _placed(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labs.plain_worlds import BALL, BOX, thing, world
+from labs.plain_worlds import BALL, BOX, PLANE, thing, world
 from solutions.impulse import rotation_matrix
 from solutions.world import find_contacts, make_bodies, make_state, run_world, step_world
 from solutions.world.rules import LAWS, Rules
@@ -265,3 +265,23 @@ def test_in_the_world_of_the_lab_a_ball_that_passes_a_box_is_not_struck(at):
             *state, key, impulse = step_world(bodies, tuple(state), NO_WEIGHT, 0.01, (0.02, 1e-3, 20), memory)
             memory = key, impulse
         assert np.allclose(state[2][1], R @ along, atol=ROUNDING)
+
+
+@pytest.mark.parametrize(("dt", "gap", "rate"), [(0.01, 5e-4, 20.0), (1e-3, 1e-5, 20.0), (0.01, 5e-4, 45.0)])
+def test_in_the_world_of_the_lab_a_box_that_turns_above_a_plane_is_not_struck(dt, gap, rate):
+    half = np.array([0.1, 0.05, 0.1])
+    box = thing(BOX, half, 1.0, R[:, 2] * (np.hypot(0.1, 0.1) + gap), TURN, spin=rate * R[:, 1])
+    bodies, state = world([thing(PLANE, R[:, 2]), box], 1.0)
+    for _ in range(60):
+        *state, _, _ = step_world(bodies, tuple(state), NO_WEIGHT, dt, (0.1, 1e-3, 20), None)
+        assert not np.any(state[2])
+
+
+def test_in_the_world_of_the_lab_a_box_that_passes_the_edge_of_another_one_is_not_struck():
+    # One moves down at 45° and is past the edge of the other one when it is as low: they pass 0.42 mm apart.
+    velocity = 0.2 * (R[:, 0] - R[:, 2])
+    passing = thing(BOX, (0.1,) * 3, 1.0, *turned([0.1998, 0.03, 0.2008]), TURN, velocity)
+    bodies, state = world([passing, thing(BOX, (0.1,) * 3, 1.0, orientation=TURN)], 1.0)
+    for _ in range(6):
+        *state, _, _ = step_world(bodies, tuple(state), NO_WEIGHT, 0.01, (0.1, 1e-3, 20), None)
+    assert np.allclose(state[2], [velocity, np.zeros(3)], atol=ROUNDING)
