@@ -285,9 +285,11 @@ def fitting(
     """Return the state, acceleration, force and torque; refuse what does not fit."""
     count = len(bodies.inverse_mass)
     for name, array in zip(State._fields, state, strict=True):
-        if len(finite(name, array)) != count:
+        shape = (count, 4 if name == "orientation" else 3)
+        if finite(name, array).shape != shape:
             raise ValueError(
-                f"{name} must be that of {count} bodies, not of {len(array)}"
+                f"{name} must have the shape {shape}, that of {count} bodies,"
+                f" not {np.shape(array)}"
             )
     names = ("acceleration", "force", "torque")
     acceleration, force, torque = (

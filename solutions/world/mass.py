@@ -235,12 +235,6 @@ def _polyhedron(
     mean = np.einsum("t,tij->ij", share, products) / 20 - np.outer(
         centre, centre
     )
-    spread = np.linalg.eigvalsh(mean)
-    if spread[0] < -ROUNDING_OF_MASS * abs(spread[2]):
-        raise ValueError(
-            "faces of a polyhedron must look outwards, but those of a part of it"
-            " look inwards, and nothing is around that part"
-        )
     return middle + centre, mass * (np.trace(mean) * np.eye(3) - mean)
 
 

@@ -57,8 +57,8 @@ def advance_world(
     ------
     ValueError
         If there is no such response, it does not know the law, a number of the rules is
-        out of its range, dt is not positive, the memory is none or that of another
-        number of bodies, or an array is not finite or does not fit.
+        out of its range, dt is not positive, the memory is none, or knows sleepers of
+        another number of bodies, or an array is not finite or does not fit.
     """
     rules = known(Rules(*rules))
     dt = float(of_shape("dt", finite("dt", positive("dt", dt)), ()))

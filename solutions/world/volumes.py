@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, not_negative, positive
+from solutions.polyhedra.inside import winding_number
 from solutions.polyhedra.surface import (
     checked_mesh,
     directed_edges,
@@ -86,7 +87,8 @@ def tetrahedra(
     ValueError
         If vertices are not finite or do not fit the faces, or the faces look inwards,
         or they do not close or not all look the same way: along each edge as many of
-        them must run one way as the other.
+        them must run one way as the other. A part whose faces look inwards must lie
+        within another one, as a cavity.
 
     Notes
     -----
@@ -105,6 +107,7 @@ def tetrahedra(
     a, b, c = np.moveaxis(corners, 1, 0)
     volumes = np.vecdot(a, np.cross(b, c)) / 6
     positive("volume inside the faces", volumes.sum())
+    _refuse_inside_out(v, f, volumes)
     return volumes, corners, middle
 
 
@@ -125,6 +128,41 @@ def _refuse_open(vertices: Array, faces: Integers) -> None:
             f" the edge of the vertices {named[0]} and {named[1]} one is"
             " missing or turned over"
         )
+
+
+def _refuse_inside_out(
+    vertices: Array, faces: Integers, volumes: Array
+) -> None:
+    """Refuse a part whose faces look inwards, unless it is a cavity in another one.
+
+    Parts are those that share no vertex. Behind each face of a cavity there is the
+    solid, so that the surface goes once round a point there.
+    """
+    places = same_places(vertices, faces)
+    part = np.arange(len(vertices))
+    while True:
+        least = part.copy()
+        np.minimum.at(least, places, part[places].min(axis=1)[:, None])
+        if np.array_equal(least, part):
+            break
+        part = least
+    of_face = part[places[:, 0]]
+    sizes = np.bincount(of_face, volumes)
+    for number in np.flatnonzero(sizes < 0):
+        corners = vertices[faces[np.flatnonzero(of_face == number)]]
+        normal = np.cross(
+            corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        )
+        largest = np.argmax(np.vecdot(normal, normal))
+        area = np.linalg.norm(normal[largest])
+        behind = corners[largest].mean(axis=0) - 1e-6 * normal[
+            largest
+        ] / np.sqrt(area)
+        if not winding_number(behind, vertices, faces) > 0.5:
+            raise ValueError(
+                "faces of a polyhedron must look outwards, but those of a part of it"
+                " look inwards, and nothing is around that part"
+            )
 
 
 def length(name: str, value: float) -> float:

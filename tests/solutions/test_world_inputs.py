@@ -138,7 +138,14 @@ def test_a_state_that_is_not_that_of_n_bodies_is_refused(state, says):
         ({"acceleration": (0, 0, -INF)}, "acceleration must be finite, not -inf"),
         ({"force": NAN * np.ones((2, 3))}, "force must be finite, not nan"),
         ({"torque": np.ones((3, 3))}, r"torque must have the shape \(2, 3\)"),
-        ({"state": make_state([(0, 0, 1)])}, "position must be that of 2 bodies, not of 1"),
+        (
+            {"state": make_state([(0, 0, 1)])},
+            r"position must have the shape \(2, 3\), that of 2 bodies, not \(1, 3\)",
+        ),
+        (
+            {"state": make_state([(0, 0, 1), (0, 0, 2)])._replace(velocity=np.zeros((2, 2)))},
+            r"velocity must have the shape \(2, 3\)",
+        ),
         ({"rules": Rules(recovery=2.0)}, "recovery must be from 0 to 1, not 2"),
         ({"rules": Rules(sweeps=2.5)}, "sweeps must be a whole number, not 2.5"),
         ({"rules": Rules(rest_speed=-1.0)}, "rest_speed must be zero or positive, not -1"),

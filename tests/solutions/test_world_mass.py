@@ -298,6 +298,9 @@ def test_a_surface_that_is_open_or_looks_both_ways_is_refused(turned, missing):
 def test_a_part_that_is_turned_inside_out_is_refused_unless_it_is_a_hole():
     inside_out = [tuple(8 + v for v in quad)[::-1] for quad in QUADS]
     beside = np.vstack([CUBE, CUBE / 2 + np.array([2, 0.3, 0.1])])
+    near = np.vstack([CUBE, CUBE / 20 + np.array([1.1, 0.3, 0.1])])  # every moment stays possible
+    with pytest.raises(ValueError, match="those of a part of it look inwards"):
+        volume(("polyhedron", near, [*QUADS, *inside_out]))
     with pytest.raises(ValueError, match="those of a part of it look inwards"):
         mass_properties(("polyhedron", beside, [*QUADS, *inside_out]), 6.0)
     hollow = np.vstack([CUBE, CUBE / 2 + 0.25])
