@@ -19,6 +19,7 @@ from reference.checks import Vector
 from reference.engines.base import EXACT, MUJOCO_ONE_STEP, Method
 from reference.errors import RunFailed
 from reference.prediction import sliding
+from reference.prediction.predicted import Prediction
 from reference.scene.forces import Spring
 from reference.scene.scenario import GRAVITY, Scenario
 from reference.scene.settings import Settings
@@ -29,7 +30,7 @@ MASS, REST_LENGTH = 1.5, 0.3
 WATCHED = 0.2
 """How long a slab that has stuck is watched, s."""
 READ_AT = 0.02
-"""The speed that tells swinging from what a slab that sticks may still do, m/s."""
+"""The speed that tells swinging from what a slab that sticks may still do, m/s; at most half of the last swing's."""
 SHARE = 0.01
 
 
@@ -54,6 +55,12 @@ class _Swing:
     def dead_band(self) -> float:
         """How far from the end of the spring friction still holds the slab, m."""
         return self.friction * MASS * GRAVITY / self.stiffness
+
+    @property
+    def slowest(self) -> float:
+        """Largest speed of the last half swing, m/s."""
+        before, end = (self.start, *self.turns()[1])[-2:]
+        return self.frequency * abs(float(end) - float(before)) / 2
 
     def turns(self) -> tuple[Array, Array]:
         """Instants, s, and places, m, of all turning points after the start, the last of which is the end."""
@@ -122,7 +129,7 @@ def _first_turn(trajectory: Trajectory) -> tuple[float, float]:
 def _last_turn(trajectory: Trajectory) -> tuple[float, float]:
     """Read from the last sample in motion."""
     _, speeds = _course(trajectory)
-    moving = np.flatnonzero(np.abs(speeds) > READ_AT)
+    moving = np.flatnonzero(np.abs(speeds) > min(READ_AT, _swing_of(trajectory.scenario).slowest / 2))
     if len(moving) == 0:
         raise RunFailed("the slab never swings")
     return _turn_after(trajectory, int(moving[-1]))
@@ -139,6 +146,20 @@ def _near(exact: float, size: float, method: Method, reason: str) -> Expectation
     if method.kind == EXACT:
         return Expectation(exact, ROUNDING * size, "rounding only: the swing is solved for", size=size)
     return Expectation(exact, SHARE * size, reason, size=size)
+
+
+def _is_a_tie(scenario: Scenario, settings: Settings, method: Method) -> bool:
+    """Whether the last half swing is slower than what friction takes in a step: what a solver leaves decides on it."""
+    swing = _swing_of(scenario)
+    return method.kind != EXACT and swing.slowest < swing.friction * GRAVITY * settings.timestep
+
+
+def _predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
+    return None if _is_a_tie(scenario, settings, method) else sliding.predict(scenario, settings, method)
+
+
+def _expect_last_instant(case: Case, settings: Settings, method: Method) -> Expectation | None:
+    return None if _is_a_tie(case.scenarios[0], settings, method) else _expect_instant(case, method, -1)
 
 
 def _expect_instant(case: Case, method: Method, which: int) -> Expectation:
@@ -217,7 +238,7 @@ FRICTION_OSCILLATOR = Family(
             "instant at which it sticks",
             "s",
             lambda trajectory: _last_turn(trajectory)[0],
-            lambda case, settings, method: _expect_instant(case, method, -1),
+            _expect_last_instant,
             lambda case: float(_truth(case)[0][-1]),
             _slack_of_the_end,
             absent="never swings",
@@ -248,7 +269,7 @@ FRICTION_OSCILLATOR = Family(
         (1e-3, 2e-3),
         lambda friction, stiffness: _case(friction, stiffness, 0.15),
     ),
-    predict=sliding.predict,
+    predict=_predict,
 )
 
 FAMILIES = (FRICTION_OSCILLATOR,)

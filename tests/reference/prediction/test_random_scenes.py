@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.friction import slack_aside
-from reference.comparison.verdicts import AS_IT_MUST
+from reference.comparison.verdicts import AS_IT_MUST, Verdict
 from reference.engines import Engine, engine_names
 from reference.engines.base import Method
 from reference.errors import CannotExpress, NeedsFunction
@@ -168,17 +168,19 @@ def test_many_runs_are_as_predicted_in_every_implementation(name, installed):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("family", "engine", "timestep", "at"),
+    ("family", "engine", "profile", "timestep", "at"),
     [
-        ("one-drop", "pybullet", 2.5e-4, {}),  # rounding takes the contact of what rests on a slope for a step
-        ("break-away", "dart", 3e-4, {}),  # sweeps that end at a tolerance, near the limit of friction
-        ("spinning-rod", "pybullet", 4.05e-3, {"spin": 205.447}),  # a turn of more than π/4 is too small
-        ("passing-balls", "mujoco", 2.1e-4, {}),  # one shot of 61 is a tie
+        ("one-drop", "pybullet", "tuned", 2.5e-4, {}),  # rounding takes a contact on a slope away for a step
+        ("break-away", "dart", "tuned", 3e-4, {}),  # sweeps that end at a tolerance, near the limit of friction
+        ("spinning-rod", "pybullet", "tuned", 4.05e-3, {"spin": 205.447}),  # a turn of more than π/4 is too small
+        ("passing-balls", "mujoco", "tuned", 2.1e-4, {}),  # one shot of 61 is a tie
+        ("friction-oscillator", "handwritten", "exact", 1e-3, {"friction": 0.2771}),  # the last swing is slow
+        ("friction-oscillator", "dart", "tuned", 1e-3, {"friction": 0.278}),  # and slower than a step resolves
     ],
 )
-def test_a_job_off_the_catalogue_fails_nothing(family, engine, timestep, at, installed):
+def test_a_job_off_the_catalogue_fails_nothing(family, engine, profile, timestep, at, installed):
     installed(engine)
-    (job,) = plan([catalogue()[family]], [engine], ["tuned"], changes={"timestep": timestep}, at=at)
-    judged = [row for row in run_job(job).rows if row.predicted is not None]
-    assert judged
-    assert {row.verdict for row in judged} <= set(AS_IT_MUST)
+    (job,) = plan([catalogue()[family]], [engine], [profile], changes={"timestep": timestep}, at=at)
+    verdicts = {row.verdict for row in run_job(job).rows}
+    assert Verdict.PASS in verdicts or Verdict.KNOWN_DEVIATION in verdicts
+    assert verdicts <= {*AS_IT_MUST, Verdict.SHOWN, Verdict.CANNOT_EXPRESS}
