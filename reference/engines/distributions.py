@@ -12,7 +12,6 @@ from importlib.metadata import Distribution, PackagePath
 _BINARIES = ".so", ".pyd"
 
 
-@functools.cache
 def installed(names: Sequence[str], module: str) -> Distribution | None:
     """The distribution among these that is installed, in this order; None where none is.
 
@@ -43,6 +42,7 @@ def _binaries(distribution: Distribution, module: str) -> list[PackagePath]:
     return [each for each in files if each.name.split(".")[0] == module and each.suffix in _BINARIES]
 
 
+@functools.cache
 def _is_there(file: PackagePath) -> bool:
     """Whether a file still is what its distribution has installed."""
     try:

@@ -9,7 +9,7 @@ import numpy as np
 from solutions.arrays import Array, Booleans, Integers
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, alike, pieces_of_contacts
-from solutions.world.in_flight import FAR, meet_in_flight
+from solutions.world.in_flight import ANYWHERE, meet_in_flight
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import place_pieces, placed
 from solutions.world.rotation import turned
@@ -115,7 +115,7 @@ def _touch_in_flight(
         ) -> tuple[Found, Array]:
             a = _flown(bodies, state, one[some[chosen]], motion, now)
             b = _flown(bodies, state, other[some[chosen]], motion, now)
-            found = PAIRS[kinds](a.piece, b.piece, FAR)
+            found = PAIRS[kinds](a.piece, b.piece, ANYWHERE)
             apart = a.velocity_at(found.point, found.pair)
             apart -= b.velocity_at(found.point, found.pair)
             return found, np.vecdot(found.normal, apart)

@@ -10,8 +10,8 @@ from solutions.arrays import Array, Booleans, Integers
 from solutions.world.shapes import TOUCH, Found
 
 LOOKS = 40
-"""How often a gap is looked at; a graze needs 20 looks from 1 mm to 1e-10 m."""
-FAR = 1e300
+"""How often a gap is looked at; a graze takes 20 from 1 mm to 1e-10 m."""
+ANYWHERE = 1e300
 """A margin within which two bodies have their places wherever they are, m."""
 Nearest = Callable[[Integers, Array], tuple[Found, Array]]
 """Where the chosen pairs (k,) are nearest at some instants (k,), in s.

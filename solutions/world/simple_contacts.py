@@ -26,7 +26,7 @@ from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.hidden_places import hidden_places, inside_hulls
 from solutions.world.hull_pairs import FEATURES, hull_half_space, hull_hull
-from solutions.world.in_flight import FAR, meet_in_flight
+from solutions.world.in_flight import ANYWHERE, meet_in_flight
 from solutions.world.rotation import turned
 from solutions.world.round_pairs import (
     sphere_box,
@@ -164,7 +164,7 @@ def _pass(
             found = touch(
                 _placed(kinds[0], one, flown[0], rotation, size[bodies]),
                 _placed(kinds[1], other, flown[0], rotation, size[bodies]),
-                FAR,
+                ANYWHERE,
             )
             pair, at, along = found[:3]
             parts = _apart(flown, one[pair], other[pair], at)
