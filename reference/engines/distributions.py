@@ -8,6 +8,7 @@ import hashlib
 import importlib.metadata
 from collections.abc import Sequence
 from importlib.metadata import Distribution, PackagePath
+from pathlib import Path
 
 _BINARIES = ".so", ".pyd"
 
@@ -42,14 +43,18 @@ def _binaries(distribution: Distribution, module: str) -> list[PackagePath]:
     return [each for each in files if each.name.split(".")[0] == module and each.suffix in _BINARIES]
 
 
-@functools.cache
 def _is_there(file: PackagePath) -> bool:
     """Whether a file still is what its distribution has installed."""
+    return file.hash is not None and _digest(str(file.locate()), file.hash.mode) == file.hash.value
+
+
+@functools.cache
+def _digest(path: str, mode: str) -> str:
+    """Of a file's content, as RECORD has it; empty if it cannot be read, or the kind of digest is not known."""
+    if mode not in hashlib.algorithms_available:
+        return ""
     try:
-        content = file.locate().read_bytes()  # type: ignore[attr-defined]
+        content = Path(path).read_bytes()
     except OSError:
-        return False
-    if file.hash is None or file.hash.mode not in hashlib.algorithms_available:
-        return False
-    digest = hashlib.new(file.hash.mode, content).digest()
-    return base64.urlsafe_b64encode(digest).rstrip(b"=").decode() == file.hash.value
+        return ""
+    return base64.urlsafe_b64encode(hashlib.new(mode, content).digest()).rstrip(b"=").decode()

@@ -13,7 +13,7 @@ LOOKS = 40
 """How often a gap is looked at; a graze takes 20 from 1 mm to 1e-10 m."""
 ANYWHERE = 1e300
 """A margin within which two bodies have their places wherever they are, m."""
-Nearest = Callable[[Integers, Array], tuple[Found, Array]]
+NearestPlaces = Callable[[Integers, Array], tuple[Found, Array]]
 """Where the chosen pairs (k,) are nearest at some instants (k,), in s.
 
 Also how fast the two bodies part at each of these places, in m/s. A pair may
@@ -22,7 +22,7 @@ have several places.
 
 
 def meet_in_flight(
-    nearest: Nearest, first: Array, last: Array
+    nearest: NearestPlaces, first: Array, last: Array
 ) -> tuple[Booleans, Booleans]:
     """Which pairs touch between two instants, and which do not pass by then.
 

@@ -68,7 +68,6 @@ def test_a_tree_that_is_not_installed_has_no_version_and_runs(monkeypatch):
 @pytest.mark.parametrize("last", [("bullet", "bullet-of-another"), ("bullet-of-another", "bullet")])
 def test_of_two_distributions_that_wrote_the_same_module_the_last_one_counts(last, tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(tmp_path)
-    distributions._is_there.cache_clear()
     for name in last:
         installed(tmp_path, name, f"1.{len(name)}", name.encode())
     found = distributions.installed(("bullet", "bullet-of-another"), "bullet")
