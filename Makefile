@@ -15,17 +15,19 @@ BIN    := $(VENV)/bin
 # One that crashes ends the run, and its test is named.
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --max-worker-restart=0
 READY  := $(VENV)/.installed
+# The last of the files that `make docs` writes. The lessons that they come from are read with a package of `dev`.
+BUILT  := $(if $(findstring dev,$(EXTRAS)),docs/symbols.md)
 QUIET  := --quiet --disable-pip-version-check
 INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install $(QUIET)
 
 # Many processes import the same modules: they are compiled once.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help install report test docs live verify weekly baseline lint clean
+.PHONY: help install report test docs verdicts live verify weekly baseline lint clean
 help:            ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
 
-install: $(READY) ## create the environment and install the lab into it
+install: $(READY) $(BUILT) ## create the environment, install the lab into it, and write what git does not keep
 $(READY): pyproject.toml constraints.txt bullet.txt
 	$(PYTHON) -m venv $(VENV)
 	$(if $(findstring engines,$(EXTRAS)),$(BIN)/python -m pip install $(QUIET) --no-deps --require-hashes -r bullet.txt)
@@ -38,7 +40,7 @@ $(READY): pyproject.toml constraints.txt bullet.txt
 report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
-test: $(READY)   ## the tests, in a few minutes
+test: $(READY) $(BUILT) ## the tests, in a few minutes
 	$(PYTEST) --cpu-allowed=150 $(ARGS)
 
 lint: $(READY)   ## style and types
@@ -46,24 +48,26 @@ lint: $(READY)   ## style and types
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-docs: $(READY)   ## draw the figures of the pages and write the pages that come from code
-	$(BIN)/python docs/figures/draw.py
+docs: $(READY)   ## draw the figures, and write the solved notebooks and the pages that come from code
+	$(BIN)/python docs/build.py
+docs/symbols.md: $(READY)
+	$(BIN)/python docs/build.py
+
+verdicts: $(READY) ## count what each implementation made of the scenarios, for the page of the statements
 	$(BIN)/python docs/statement_engines.py
-	$(BIN)/python docs/statement_table.py
-	$(BIN)/python docs/symbol_table.py
 
 live: $(READY)   ## run every scenario in every engine once, for the slow checks to read
 	$(BIN)/python tests/suite/live.py
 
-verify: lint live ## the slow checks: style, types, the whole catalogue, the whole bank of mistakes, the notebooks
+verify: lint live $(BUILT) ## the slow checks: style, types, the whole catalogue, the whole bank of mistakes, the notebooks
 	$(PYTEST) -m 'slow and not weekly' --hypothesis-profile=more --timeout=1200 --cpu-allowed=600 $(ARGS)
 
-weekly: live     ## the rest: more points of the grids, other seeds, other people's graders and platforms, faults in our code
+weekly: live $(BUILT) ## the rest: more points of the grids, other seeds, other people's graders and platforms, faults in our code
 	$(PYTEST) -m weekly --timeout=2400 --cpu-allowed=400 $(ARGS)
 	$(PYTEST) -m 'hypothesis and not weekly' --hypothesis-profile=others --hypothesis-seed=41 $(ARGS)
 	$(BIN)/python tests/faults/study.py run
 
-baseline: $(READY) ## what people receive, compared with the checksums that are kept
+baseline: $(READY) $(BUILT) ## what people receive, compared with the checksums that are kept
 	$(BIN)/python tests/baseline/make.py --out .baseline
 
 clean:           ## remove the environment and what was built

@@ -1,7 +1,7 @@
 """Which scenarios put a statement of the lecture to the test, and what each implementation's results are.
 
-`python docs/statement_engines.py` runs the hand-written code, reads what the engines were recorded with, and keeps the
-count of verdicts in docs/statement_verdicts.json; `statement_table.py` makes columns of it.
+`make verdicts` runs the hand-written code, which takes two minutes, and reads what the engines were recorded with. It
+keeps the count of verdicts in docs/statement_verdicts.json, which is in git; `statement_table.py` makes columns of it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """Writes docs/statements.md: each statement of the lecture with its code, tests, oracles, scenarios and figures.
 
-`python docs/statement_table.py` writes the page; `--check` only says whether it is up to date. Functions come from
-`reference.lecture`, tests from the marks `statement` and `erratum` in `tests/`, figures from `docs/figures/`, what the
-implementations made of the scenarios from `docs/statement_engines.py`.
+`make docs` runs it. Functions come from `reference.lecture`, tests from the marks `statement` and `erratum` in
+`tests/`, figures from `docs/figures/`, what the implementations made of the scenarios from `docs/statement_engines.py`.
 """
 
 from __future__ import annotations
@@ -11,7 +10,6 @@ import ast
 import functools
 import importlib
 import importlib.util
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -232,16 +230,5 @@ def _scenarios(number: int) -> list[str]:
     return [*lines, ""]
 
 
-def main() -> int:
-    """Write the page, or say whether it is up to date."""
-    text = page()
-    if "--check" in sys.argv:
-        current = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
-        print("up to date" if current else "docs/statements.md is out of date: run python docs/statement_table.py")
-        return 0 if current else 1
-    PAGE.write_text(text, encoding="utf-8", newline="\n")
-    return 0
-
-
 if __name__ == "__main__":
-    raise SystemExit(main())
+    PAGE.write_text(page(), encoding="utf-8", newline="\n")

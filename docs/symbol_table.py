@@ -1,11 +1,10 @@
 """Writes docs/symbols.md: the slides' symbols, their names in code and their units, from `reference.lecture.symbols`.
 
-`python docs/symbol_table.py` writes the page; `--check` only says whether it is up to date.
+`make docs` runs it.
 """
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 from reference.lecture.symbols import SYMBOLS
@@ -32,13 +31,5 @@ def page() -> str:
     return HEAD + "".join(rows)
 
 
-def main() -> int:
-    """Write the page, or say whether it is as it would be written."""
-    if "--check" in sys.argv[1:]:
-        return int(not PAGE.is_file() or PAGE.read_text(encoding="utf-8") != page())
-    PAGE.write_text(page(), encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    PAGE.write_text(page(), encoding="utf-8", newline="\n")

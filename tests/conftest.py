@@ -15,16 +15,21 @@ from reference.errors import EngineNotInstalled
 
 pytest_plugins = ["oracles", "processor_time", "skips"]
 AUTOGRADER = Path(__file__).parent / "autograder"
+LAB_FIGURES = Path(__file__).parents[1] / "labs" / "figures"
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Draw the same examples in every run, without a time limit for one: a busy machine must not fail a test.
+    """Refuse a clone without built files; draw the same examples in every run, without a time limit for one.
+
+    A busy machine must not fail a test.
 
     `make test` draws 15 examples for a property, and `make weekly` 50 others with a seed of its own. `make verify`
     draws 50 for the properties that are slow.
     """
     if config.getoption("--submission"):
         return  # the plugin for grading has its own, and loads hypothesis only where tests need it
+    if not any(LAB_FIGURES.glob("*.svg")):
+        raise pytest.UsageError("The figures of the labs are not drawn here. `make docs` draws them, before any test.")
     from hypothesis import settings  # noqa: PLC0415
 
     draw_without_constants_of_modules()

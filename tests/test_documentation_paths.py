@@ -1,16 +1,25 @@
-"""Files, folders and modules that the pages name are there: a move that leaves a page behind is found."""
+"""Files, folders and modules that the pages name are there: a move that leaves a page behind is found.
+
+What `make docs` writes may be named where it is not written yet, and no page that is in git may lead there by a link.
+"""
 
 from __future__ import annotations
 
 import functools
 import re
+import tomllib
 from collections import Counter
+from fnmatch import fnmatch
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parents[1]
 PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+TARGETS = PROJECT["tool"]["hatch"]["build"]["targets"]
+BUILT = TARGETS["sdist"]["artifacts"]
+"""Patterns of the files that `make docs` writes and git ignores, with a slash at the beginning."""
 HISTORY = {"CHANGELOG.md"}
 """Pages that speak of what was."""
 ELSEWHERE = ("labs/given", "labs.given")
@@ -29,11 +38,23 @@ _HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 def missing(page: Path) -> list[str]:
     """What a page names and is not there."""
     text = page.read_text(encoding="utf-8")
-    paths = [(ROOT, path) for path in _PATH.findall(text)] + [(page.parent, link) for link in _LINK.findall(text)]
+    named = [path for path in _PATH.findall(text) if not is_built(ROOT / path)]
+    paths = [(ROOT, path) for path in named] + [(page.parent, link) for link in _LINK.findall(text)]
     lost = [path for folder, path in paths if not any(folder.glob(_PLACEHOLDER.sub("*", path)))]
     lost += [file for file in _FILE.findall(text) if not any(there.endswith(f"/{file}") for there in _files())]
     lost += [name for name in _MODULE.findall(text) if not _is_there(name)]
     return [name for name in lost if not name.startswith(ELSEWHERE)]
+
+
+def is_built(path: Path) -> bool:
+    """Whether `make docs` writes a file, or the files that a path with a placeholder stands for."""
+    path = path.resolve()
+    return path.is_relative_to(ROOT) and any(fnmatch(f"/{path.relative_to(ROOT).as_posix()}", each) for each in BUILT)
+
+
+def links_to_built_files(page: Path) -> list[str]:
+    """Links of a page to what `make docs` writes: they lead nowhere for a reader who looks at the page in git."""
+    return [link for link in _LINK.findall(page.read_text("utf-8")) if is_built(page.parent / link)]
 
 
 def missing_anchors(page: Path) -> list[str]:
@@ -75,7 +96,16 @@ def _is_there(name: str) -> bool:
 
 @pytest.mark.parametrize("page", [page for page in PAGES if page.name not in HISTORY], ids=lambda page: page.name)
 def test_what_a_page_names_is_there(page):
-    assert missing(page) + missing_anchors(page) == []
+    assert missing(page) + missing_anchors(page) == [], "run make docs, if this is a page that it writes"
+    assert is_built(page) or links_to_built_files(page) == []
+
+
+def test_what_make_docs_writes_is_ignored_by_git_and_packed():
+    text = (ROOT / ".gitignore").read_text(encoding="utf-8")
+    ignored = text.partition("# What `make docs` writes")[2].splitlines()[1:]
+    assert sorted(ignored) == sorted(BUILT)
+    packages = tuple(f"/{package}/" for package in TARGETS["wheel"]["packages"])
+    assert TARGETS["wheel"]["artifacts"] == [pattern for pattern in BUILT if pattern.startswith(packages)]
 
 
 @pytest.mark.parametrize("building", ["solutions", "reference", "labs", "labs/grading", "tests"])
@@ -102,6 +132,15 @@ def test_what_has_moved_away_is_found(tmp_path):
         "`reference/scene/`, `scene/scenario.py`, `reference.scene.scenario.Body`, [itself](page.md#there), (no link)"
     )
     assert missing(page) == []
+
+
+def test_a_link_to_a_built_page_is_found(monkeypatch, tmp_path):
+    page = tmp_path / "docs" / "page.md"
+    page.parent.mkdir()
+    page.write_text("`docs/instructors/never.md`, [one](course.md#x), ![two](images/engines/never.svg), [3](page.md)")
+    monkeypatch.setitem(missing.__globals__, "ROOT", tmp_path)
+    assert links_to_built_files(page) == ["course.md", "images/engines/never.svg"]
+    assert missing(page) == ["course.md", "images/engines/never.svg"]
 
 
 def test_a_link_to_a_heading_that_is_gone_is_found(tmp_path):

@@ -5,10 +5,13 @@ function that draws on a matplotlib `Figure`. Its docstring is the caption. They
 figures of the findings about the engines are in `findings.py` and go into the folder `engines`. The labs' own figures
 are in the files `lab_figures….py`, which share `blackboard.py`, and go into `labs/figures`, or into the folder `labs`
 of another one.
+
+A figure that is newer than everything it may be drawn from is left as it is.
 """
 
 from __future__ import annotations
 
+import functools
 import importlib.util
 import inspect
 import io
@@ -23,11 +26,14 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from reference.report import figures as figures_of_the_report
+from reference.writable import write_whole
 
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 IMAGES = HERE.parent / "images"
-LABS = HERE.parents[1] / "labs" / "figures"
+LABS = ROOT / "labs" / "figures"
 Draw = Callable[[Figure], None]
+_SOURCES = (".py", ".json", ".npz")
 STYLE: dict[Any, Any] = figures_of_the_report.STYLE | {
     "axes.prop_cycle": matplotlib.cycler(color=["#1b1b1b", "#0072b2", "#d55e00", "#009e73", "#cc79a7"])
 }
@@ -69,23 +75,38 @@ def file_name(statement: int, name: str) -> str:
     return f"{statement:02d}-{name}.svg"
 
 
-def draw_all(folder: Path, labs: Path) -> None:
-    """Write every figure as SVG, without dates or random names, so that the same numbers give the same bytes."""
+def draw_all(folder: Path, labs: Path) -> set[Path]:
+    """Write every figure as SVG, without dates or random names, so that the same numbers give the same bytes.
+
+    Returns the files of all figures.
+    """
+    wanted: dict[Path, Callable[[], str]] = {}
     for (statement, name), draw in figures().items():
-        _write(folder / "statements" / file_name(statement, name), name, draw)
+        wanted[folder / "statements" / file_name(statement, name)] = functools.partial(_of_a_page, name, draw)
     for name, draw in findings().items():
-        _write(folder / "engines" / f"{name}.svg", name, draw)
+        wanted[folder / "engines" / f"{name}.svg"] = functools.partial(_of_a_page, name, draw)
     for name, draw in lab_figures().items():
-        _write_described(labs / f"{name}.svg", name, draw)
+        wanted[labs / f"{name}.svg"] = functools.partial(_described, name, draw)
+    changed = _last_change()
+    for path, drawn in wanted.items():
+        if not path.is_file() or path.stat().st_mtime <= changed:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(path, drawn().encode())
+    return {*wanted}
 
 
-def _write(path: Path, salt: str, draw: Draw) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(_svg(salt, draw, (5.8, 3.6), STYLE), encoding="utf-8")
+def _last_change() -> float:
+    """When one of the files was changed last that figures are drawn from, code or recordings."""
+    folders = (HERE, ROOT / "solutions", ROOT / "reference", ROOT / "labs" / "desk")
+    return max(path.stat().st_mtime for folder in folders for path in folder.rglob("*") if path.suffix in _SOURCES)
 
 
-def _write_described(path: Path, name: str, draw: Draw) -> None:
-    """Write a figure with its title and description inside, for readers who cannot see it.
+def _of_a_page(salt: str, draw: Draw) -> str:
+    return _svg(salt, draw, (5.8, 3.6), STYLE)
+
+
+def _described(name: str, draw: Draw) -> str:
+    """A figure with its title and description inside, for readers who cannot see it.
 
     Its letters are drawn, because a notebook may be read on a machine without the font.
     """
@@ -93,8 +114,7 @@ def _write_described(path: Path, name: str, draw: Draw) -> None:
     described = f"<title>{escape(title)}</title>\n <desc>{escape(' '.join(text.split()))}</desc>"
     before, tag, after = _svg(name, draw, (5.4, 3.0), STYLE | {"svg.fonttype": "path"}).partition("<svg ")
     head, end, rest = after.partition(">")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f'{before}{tag}role="img" {head}{end}\n {described}{rest}', encoding="utf-8")
+    return f'{before}{tag}role="img" {head}{end}\n {described}{rest}'
 
 
 def _svg(salt: str, draw: Draw, size: tuple[float, float], style: dict[Any, Any]) -> str:
@@ -107,6 +127,15 @@ def _svg(salt: str, draw: Draw, size: tuple[float, float], style: dict[Any, Any]
     return content.getvalue()
 
 
+def main() -> None:
+    """Draw into the folder that is named; or where the pages and the notebooks look, and remove what no figure is."""
+    if len(sys.argv) > 1:
+        draw_all(Path(sys.argv[1]), Path(sys.argv[1], "labs"))
+    else:
+        drawn = draw_all(IMAGES, LABS)
+        for path in {each for folder in {file.parent for file in drawn} for each in folder.glob("*.svg")} - drawn:
+            path.unlink()
+
+
 if __name__ == "__main__":
-    elsewhere = Path(sys.argv[1]) if len(sys.argv) > 1 else None
-    draw_all(elsewhere or IMAGES, elsewhere / "labs" if elsewhere else LABS)
+    main()

@@ -21,6 +21,7 @@ from labs.building.archives import files_below, pack
 from labs.building.guidance_gaps import figures_named
 from labs.building.release_readme import readme
 from labs.grading.submission.excerpts import TopicExcerpts, imports_of, text_of, without_notes
+from labs.guidance import drawings
 from labs.guidance.hint_files import hints
 from labs.project_folders import ROOT
 from reference import lecture
@@ -68,7 +69,8 @@ def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> 
     ------
     InvalidInput
         If there is already such a folder and it is not empty, if it cannot be written, if that lab has no lesson, if
-        the last lab is none of the course, or if this is an installed copy of the lab rather than the project's folder.
+        the last lab is none of the course, if a figure is not drawn yet, or if this is an installed copy of the lab
+        rather than the project's folder.
     """
     missing = [name for name in (*_FOLDERS, *_FILES) if not (ROOT / name).exists()]
     if missing:
@@ -81,6 +83,8 @@ def release(out: Path, through: str | None = None, only: Sequence[str] = ()) -> 
             raise InvalidInput(f"{last} is not among the labs of the release, {', '.join(open_labs)}")
         open_labs = [topic for topic in open_labs if _number(topic) <= _number(last)]
         closed = set(open_labs[:-1]) if only else _before(last)
+    if undrawn := sorted(_shown(open_labs) - {*drawings.names()}):
+        raise InvalidInput(f"a release needs labs/figures/{undrawn[0]}.svg, which is not there: `make docs` draws it")
     if out.suffix == ".zip":
         check_file(_CONTENT, out, _OPTION)
         with refused_in_words(_CONTENT, out, _OPTION), tempfile.TemporaryDirectory() as folder:
@@ -161,10 +165,15 @@ def _remove_other_labs(out: Path, open_labs: Collection[str]) -> None:
             name = path.stem.removeprefix("test_")
             if any(name == other or name.startswith(f"{other}_") for other in others):
                 path.unlink()
-    shown = {name for topic in open_labs for name in figures_named(lessons.read(topic), hints(topic))}
+    shown = _shown(open_labs)
     for path in (out / _FIGURES).glob("*.svg"):
         if path.stem not in shown:
             path.unlink()
+
+
+def _shown(open_labs: Collection[str]) -> set[str]:
+    """The figures that these labs show."""
+    return {name for topic in open_labs for name in figures_named(lessons.read(topic), hints(topic))}
 
 
 def _hide_answers(out: Path, open_labs: Collection[str]) -> None:
@@ -198,10 +207,8 @@ def _ignored(folder: str, names: list[str]) -> set[str]:
 
 
 def _for_students(project: str) -> str:
-    """The project's settings without the packages that a student's tree lacks."""
-    return re.sub(
-        r'^packages = \["labs", "reference", "solutions"\]', 'packages = ["labs", "reference"]', project, flags=re.M
-    )
+    """The project's settings without the packages and the built files that a student's tree lacks."""
+    return re.sub(r"(?ms)^packages = .*?^(?=\[tool\.ruff\])", 'packages = ["labs", "reference"]\n\n', project)
 
 
 def _module(topic: str, names: Collection[str], asked: Collection[str]) -> str:

@@ -1,4 +1,7 @@
-"""Figures that are drawn for the labs: vector files in `labs/figures`, each with a title and a description in words."""
+"""Figures that are drawn for the labs: vector files in `labs/figures`, each with a title and a description in words.
+
+`make docs` draws them. They are not in git, and a wheel and a student's release have them.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from labs.project_folders import FIGURES
+from labs.project_folders import DRAWING, FIGURES
 from reference.errors import InvalidInput, UnknownName
 
 IN_TEXT = re.compile(r"!\[([^\]]*)\]\(figure:([\w-]+)\)")
@@ -51,8 +54,10 @@ def drawing(name: str, alternative: str = "") -> Drawing:
     Raises
     ------
     UnknownName, InvalidInput
-        If there is no such figure, or it is not drawn as SVG with a title and a description.
+        If there is no such figure, if none is drawn yet, or if it is no SVG with a title and a description.
     """
+    if not names() and DRAWING.is_dir():
+        raise InvalidInput("labs/figures has no figure yet: `make docs` draws them")
     if name not in names():
         raise UnknownName("figure", name, names())
     svg = (FIGURES / f"{name}.svg").read_text(encoding="utf-8")

@@ -12,7 +12,6 @@ from labs.building import notebooks
 from labs.desk import checks, student_code
 from labs.grading.calling.remote import Grader
 from labs.grading.feedback.tries import Tries
-from labs.project_folders import SOLVED_NOTEBOOKS
 
 
 def check() -> Callable[[], object]:
@@ -29,10 +28,10 @@ def solved(topic: str) -> Callable[[], object]:
     import nbformat  # noqa: PLC0415 - an extra
     from nbclient import NotebookClient  # noqa: PLC0415
 
-    path = SOLVED_NOTEBOOKS / f"{topic}.ipynb"
+    text = notebooks.text(notebooks.solved(topic))
 
     def run() -> object:
-        notebook = nbformat.read(path, as_version=4)
+        notebook = nbformat.reads(text, as_version=4)
         with tempfile.TemporaryDirectory(prefix="bench-notebooks-") as folder:
             place = {"metadata": {"path": folder}}
             return NotebookClient(notebook, timeout=300, resources=place).execute()

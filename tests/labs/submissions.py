@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import inspect
 import json
 from pathlib import Path
 
+from labs.building import notebooks
 from labs.grading.calling.remote import Grader
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
@@ -27,6 +29,12 @@ def solved(folder: Path, topic: str) -> Path:
     path = folder / "solved.py"
     path.write_text(f"from __future__ import annotations\n{imports_of(found)}\n{text_of(found)}\n")
     return path
+
+
+@functools.cache
+def solved_notebook(topic: str) -> bytes:
+    """The solved notebook of a lab, made of its lesson and the solutions as they are now."""
+    return notebooks.text(notebooks.solved(topic)).encode()
 
 
 def stubs(folder: Path, topic: str) -> Path:

@@ -8,6 +8,7 @@ import time
 import numpy as np
 import pytest
 from cells import said, write_notebook
+from submissions import solved_notebook
 from suspects_tried import EXPOSING, HARMLESS, TETRAHEDRON
 
 from labs.assessment import exposures
@@ -15,7 +16,7 @@ from labs.assessment.written_inputs import MANY, TRIES, inputs_in
 from labs.building import lessons
 from labs.desk import student_code
 from labs.grading.submission.asked_predictions import predictions_in, predictions_of
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, UnknownName
 
@@ -191,11 +192,13 @@ def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("topic", lessons.lessons())
-def test_a_solved_notebook_gets_every_prediction_and_input_and_an_open_one_none(topic):
+def test_a_solved_notebook_gets_every_prediction_and_input_and_an_open_one_none(topic, tmp_path):
     asked = predictions_in(cell.text for cell in lessons.read(topic).cells if cell.code)
-    for folder, done in ((SOLVED_NOTEBOOKS, True), (STUDENT_NOTEBOOKS, False)):
-        assert predictions_of(folder / f"{topic}.ipynb") == dict.fromkeys(asked, done)
-        assert set(exposures.found_in(folder / f"{topic}.ipynb", topic).values()) == {done}
+    solved = tmp_path / "solved.ipynb"
+    solved.write_bytes(solved_notebook(topic))
+    for path, done in ((solved, True), (STUDENT_NOTEBOOKS / f"{topic}.ipynb", False)):
+        assert predictions_of(path) == dict.fromkeys(asked, done)
+        assert set(exposures.found_in(path, topic).values()) == {done}
 
 
 def test_of_many_inputs_the_last_ones_are_tried_each_once():

@@ -14,6 +14,7 @@ from made_lessons import HEAD, WRITES
 
 from labs.building import lessons
 from labs.building.release import given, release
+from labs.guidance import drawings
 from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
@@ -108,6 +109,13 @@ def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypa
     assert "chord" not in figures
     with pytest.raises(InvalidInput, match="detection is not among the labs of the release, impulse"):
         release(tmp_path / "other", "detection", ["impulse"])
+
+
+def test_a_release_without_a_drawn_figure_is_refused_with_the_command(tmp_path, monkeypatch):
+    monkeypatch.setattr(drawings, "FIGURES", tmp_path)
+    with pytest.raises(InvalidInput, match=r"labs/figures/\w+.svg, which is not there: `make docs` draws it"):
+        release(tmp_path / "out.zip", only=["impulse"])
+    assert not (tmp_path / "out.zip").exists()
 
 
 @pytest.mark.slow

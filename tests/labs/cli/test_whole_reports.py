@@ -66,7 +66,7 @@ def test_in_live_runs_every_counted_verdict_agrees(live_runs):
     away = [row for row in judged if row.verdict not in (Verdict.PASS, Verdict.KNOWN_DEVIATION)]
     assert {row.verdict for row in away} == {Verdict.DISAGREES}
     check_whole(rows)
-    assert verdict_counts(rows) == json.loads(KEPT_VERDICTS.read_text(encoding="utf-8")), "run make docs"
+    assert verdict_counts(rows) == json.loads(KEPT_VERDICTS.read_text(encoding="utf-8")), "run make verdicts"
     without = [row for row in rows if counts(row.profile) and row.verdict is Verdict.CANNOT_EXPRESS]
     idle = sum(counts(row.profile) and not row.evidence for row in rows)
     judged = [row for row in judged if row.evidence]

@@ -10,13 +10,13 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from program import collisions
-from submissions import notebook
+from submissions import notebook, solved_notebook
 
 from labs.gradebook import protection
 from labs.gradebook.deadlines import CALLED_LATE
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 from labs.workers import Workers
 
 ROSTER = "student_id,name,canvas_id\n4711,Ada Lovelace,7\n4712,Zoë Müller,8\n4713,Bob,9\n4714,Carl,10\n"
@@ -35,7 +35,7 @@ def handed_in(tmp_path_factory):
     folder = tmp_path_factory.mktemp("class")
     place = folder / "submissions"
     place.mkdir()
-    (place / "lovelaceada_7_21_impulse.ipynb").write_bytes((SOLVED_NOTEBOOKS / "impulse.ipynb").read_bytes())
+    (place / "lovelaceada_7_21_impulse.ipynb").write_bytes(solved_notebook("impulse"))
     (place / "mullerzoe_LATE_8_22_impulse.ipynb").write_bytes((STUDENT_NOTEBOOKS / "impulse.ipynb").read_bytes())
     (place / "bob_9_23_impulse.ipynb").write_bytes(notebook(NORMAL_VELOCITY))
     (place / "mallory_66_24_impulse.ipynb").write_bytes(b"{")
@@ -253,7 +253,7 @@ def test_entries_that_cannot_be_read_or_graded_stop_nobody_in_this_run_and_in_th
     (place / "damaged.zip").write_bytes(b"PK\x03\x04")
     (place / "huge.py").write_text(f"N = 0b1{'0' * 200_000}\n{NORMAL_VELOCITY}", encoding="utf-8")
     (place / "deep.ipynb").write_bytes(b'{"cells":' + b"[" * 100_000)
-    (place / "right.ipynb").write_bytes((SOLVED_NOTEBOOKS / "impulse.ipynb").read_bytes())
+    (place / "right.ipynb").write_bytes(solved_notebook("impulse"))
     arguments = ("grade", str(place), "--lab", "impulse", "--out", str(tmp_path / "grades"), "--no-runs")
     for _ in range(2):
         done = collisions(*arguments)

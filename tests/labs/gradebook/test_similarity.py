@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from submissions import notebook
+from submissions import notebook, solved_notebook
 
 from labs.gradebook.similarity import own_code
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 
 GIVEN = "def unit(name, vector):\n"
 WRITTEN = '''
@@ -33,7 +33,8 @@ def test_only_what_a_student_wrote_is_left_in_one_layout(tmp_path):
 
 def test_what_the_lab_gives_and_what_nobody_wrote_is_left_out(tmp_path):
     assert own_code(STUDENT_NOTEBOOKS / "impulse.ipynb", "impulse") == ""
-    solved = own_code(SOLVED_NOTEBOOKS / "impulse.ipynb", "impulse")
+    (tmp_path / "solved.ipynb").write_bytes(solved_notebook("impulse"))
+    solved = own_code(tmp_path / "solved.ipynb", "impulse")
     assert "def collide(" in solved
     assert GIVEN not in solved
     (tmp_path / "broken.py").write_text("def collide(:", encoding="utf-8")

@@ -7,12 +7,12 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from submissions import notebook
+from submissions import notebook, solved_notebook
 
 from labs.gradebook import subject
 from labs.gradebook.arrivals import arrivals, content_of
 from labs.gradebook.subject import Subject, subject_of
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 from reference import lecture
 
 WANTED = [entry.name for entry in lecture.functions_of("impulse") if entry.role == "written"]
@@ -64,9 +64,9 @@ def test_a_file_is_about_a_lab_by_its_code_alone(raw, name, kind):
 
 @pytest.mark.parametrize("topic", ["impulse", "response", "meshes"])
 def test_the_projects_notebooks_are_each_about_their_lab(topic):
-    for folder, kind in ((SOLVED_NOTEBOOKS, Subject.WRITTEN), (STUDENT_NOTEBOOKS, Subject.UNTOUCHED)):
-        for path in folder.glob("*.ipynb"):
-            found = subject_of(path.read_bytes(), path.name, topic)
+    for path in STUDENT_NOTEBOOKS.glob("*.ipynb"):
+        for content, kind in ((solved_notebook(path.stem), Subject.WRITTEN), (path.read_bytes(), Subject.UNTOUCHED)):
+            found = subject_of(content, path.name, topic)
             assert found.subject is (kind if path.stem == topic else Subject.OTHER)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 
 import pytest
+from submissions import solved_notebook
 
 from labs.gradebook.marking import Given, read_table
 from labs.gradebook.written import (
@@ -17,7 +18,7 @@ from labs.gradebook.written import (
     read_tables,
     write_questions,
 )
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 from reference.errors import InvalidInput
 
 ASKED = questions("impulse")
@@ -47,9 +48,10 @@ def test_questions_have_their_points_their_rubric_and_their_heading():
     assert all("*1 point*" in question.model for question in ASKED)
 
 
-def test_an_answer_is_what_stands_in_its_cell_without_what_the_lab_wrote_there():
+def test_an_answer_is_what_stands_in_its_cell_without_what_the_lab_wrote_there(tmp_path):
     assert set(answers_in(STUDENT_NOTEBOOKS / "impulse.ipynb", KEYS).values()) == {""}
-    solved = answers_in(SOLVED_NOTEBOOKS / "impulse.ipynb", KEYS)
+    (tmp_path / "solved.ipynb").write_bytes(solved_notebook("impulse"))
+    solved = answers_in(tmp_path / "solved.ipynb", KEYS)
     assert ASKED[2].model.split("\n")[0] in solved[KEYS[2]]
 
 

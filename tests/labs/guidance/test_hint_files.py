@@ -120,6 +120,15 @@ def test_a_figure_has_its_description_in_every_form(draw):
     assert drawings.drawing("peg", "Another text.").alternative == "Another text."
 
 
+def test_where_no_figure_is_drawn_the_command_is_named(monkeypatch, tmp_path):
+    monkeypatch.setattr(drawings, "FIGURES", tmp_path)
+    with pytest.raises(InvalidInput, match="no figure yet: `make docs` draws them"):
+        drawings.drawing("peg")
+    monkeypatch.setattr(drawings, "DRAWING", tmp_path / "nowhere")  # as in a student's tree
+    with pytest.raises(UnknownName, match="unknown figure 'peg'"):
+        drawings.drawing("peg")
+
+
 def test_a_figure_without_a_description_or_a_name_is_refused(draw):
     for empty in ("", "<desc> </desc>"):
         draw(SVG.format(empty))

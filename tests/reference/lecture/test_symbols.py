@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 import inspect
-from pathlib import Path
 
 import pytest
 
 from reference import lecture
 from reference.engines.implementation import Implementation
 from reference.lecture.symbols import SYMBOLS
-
-DOCS = Path(__file__).parents[3] / "docs"
 
 
 @pytest.mark.parametrize("symbol", SYMBOLS, ids=lambda symbol: symbol.slide)
@@ -28,10 +24,3 @@ def test_a_symbols_statements_are_statements_of_the_lecture(symbol):
 
 def test_no_symbol_of_the_slides_is_listed_twice():
     assert len({symbol.slide for symbol in SYMBOLS}) == len(SYMBOLS)
-
-
-def test_the_page_of_symbols_is_up_to_date():
-    spec = importlib.util.spec_from_file_location("symbol_table", DOCS / "symbol_table.py")
-    table = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(table)
-    assert table.PAGE.read_text(encoding="utf-8") == table.page()

@@ -12,9 +12,10 @@ from pathlib import Path
 import pytest
 from made_platform_grades import HOSTILE
 from program import collisions
+from submissions import solved_notebook
 
 from labs.benching.timing import benches
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 from reference.running.shelf import VARIABLE, default_folder
 
 pytestmark = pytest.mark.weekly
@@ -30,7 +31,7 @@ def cell_id(cell: dict) -> str:
 
 def solved(released: dict, *names: str) -> dict:
     """The released notebook, with some functions as in the solutions."""
-    solutions = {cell_id(cell): cell for cell in json.loads((SOLVED_NOTEBOOKS / NAME).read_text("utf-8"))["cells"]}
+    solutions = {cell_id(cell): cell for cell in json.loads(solved_notebook("impulse"))["cells"]}
     found = copy.deepcopy(released)
     for cell in found["cells"]:
         if cell_id(cell) in names:

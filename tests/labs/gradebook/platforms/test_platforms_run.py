@@ -15,14 +15,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from program import collisions
-from submissions import notebook
+from submissions import notebook, solved_notebook
 
 from labs.gradebook.platforms import classroom50, gradescope, prairielearn
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import STUDENT_NOTEBOOKS
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the platforms run Linux")
 
-SOLVED, STUB = (folder / "impulse.ipynb" for folder in (SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS))
+STUB = STUDENT_NOTEBOOKS / "impulse.ipynb"
 REVERSED = """\
 import numpy as np
 
@@ -111,7 +111,7 @@ def on_gradescope(root: Path, files: dict[str, bytes]) -> dict | None:
 
 @pytest.mark.weekly
 def test_gradescope_gives_all_points_to_the_solved_notebook(autograder):
-    found = on_gradescope(autograder, {"impulse.ipynb": SOLVED.read_bytes()})
+    found = on_gradescope(autograder, {"impulse.ipynb": solved_notebook("impulse")})
     assert found["score"] == 65
     assert {test["status"] for test in found["tests"]} == {"passed"}
     assert {test["visibility"] for test in found["tests"]} == {"visible", "after_published"}
