@@ -1,4 +1,4 @@
-"""What docs/responses.md says of our own code, measured."""
+"""What docs/world.md says of the responses by hand, measured."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from solutions.response import (
     respond_at_step,
 )
 
-PAGE = " ".join((Path(__file__).parents[2] / "docs" / "responses.md").read_text(encoding="utf-8").split())
+PAGE = " ".join((Path(__file__).parents[2] / "docs" / "world.md").read_text(encoding="utf-8").split())
 G, UP, RESTITUTION = 9.81, np.array([0.0, 0.0, 1.0]), 0.7
 PULL = -G * UP
 HEIGHTS = np.linspace(0.45, 0.55, 101)
