@@ -1,6 +1,6 @@
 """A clip: one scenario as one or several implementations ran it, small enough for a page.
 
-`reference.viewer.clip_making` makes it. Its JSON is the same for the same poses; `docs/viewer.md` says what is in it.
+`reference.viewer.clip_making` makes it. Its JSON is the same for the same poses; `docs/design.md` says what is in it.
 """
 
 from __future__ import annotations

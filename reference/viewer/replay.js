@@ -1,5 +1,5 @@
 // The replay of a collision: for every element .replay of the page a canvas and its controls. The clip stands in the
-// element as JSON; docs/viewer.md says what is in it. Only the replay that plays asks the browser for frames.
+// element as JSON; docs/design.md says what is in it. Only the replay that plays asks the browser for frames.
 "use strict";
 (() => {
 const HELP = "Space plays and pauses; ← → step (ten with Shift); Home, End; I next impact; + − speed; " +

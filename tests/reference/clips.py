@@ -64,7 +64,7 @@ def flying(shape: Box | Sphere, turn: tuple[float, float, float], count: int = 3
 
 
 def unpacked(text: str, count: int, columns: int) -> np.ndarray:
-    """Whole steps (count, columns) of packed text, read as docs/viewer.md describes it."""
+    """Whole steps (count, columns) of packed text, read as docs/design.md describes it."""
     numbers, content, at = [], base64.b64decode(text), 0
 
     def number() -> int:
