@@ -65,14 +65,12 @@ def test_every_figure_has_a_caption_that_is_a_sentence(table):
     assert all(caption.endswith(".") for _, _, caption in table.figures())
 
 
-def test_every_finding_is_listed_and_they_are_as_many_as_other_pages_say():
+def test_every_finding_is_listed_at_the_top_of_its_page():
     page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8").partition("\n## What to set")[0]
     findings = re.findall(r"\n\n## ([^\n]+)\n\n", page)
     anchors = [re.sub(r"[^\w -]", "", finding.lower()).replace(" ", "-") for finding in findings]
+    assert anchors
     assert re.findall(r"^\| \[[^]]+\]\(#([\w-]+)\) \|", page, re.MULTILINE) == anchors
-    assert len(findings) == 21
-    for name, times in (("README.md", 1), ("docs/index.md", 2)):
-        assert (ROOT / name).read_text(encoding="utf-8").count("twenty-one findings") == times, name
 
 
 def test_every_figure_of_a_finding_is_named_on_its_page(table):
