@@ -10,6 +10,7 @@ from pathlib import Path
 import live
 import pytest
 from program import collisions
+from readme_picture import AGAIN, in_the_picture
 from run_allowances import too_long
 from whole_report import check_whole
 
@@ -79,6 +80,7 @@ def test_in_live_runs_every_counted_verdict_agrees(live_runs):
         f" theory and none failed. Besides, {idle:,} checks would pass even if no body moved and {len(without)} cases"
         " cannot be expressed in the engine."
     )
+    assert verdict_line(rows) in in_the_picture(), AGAIN
     assert not [row for row in rows if row.verdict in (Verdict.CRASHED, Verdict.NOT_AVAILABLE, Verdict.NEEDS)]
     unsaid = {(row.family, row.engine) for row in rows if row.verdict is Verdict.CANNOT_EXPRESS}
     off_centre = {("struck-cube", "mujoco"), ("off-centre-impact", "mujoco")}

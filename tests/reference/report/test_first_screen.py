@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import live
 import pytest
+from readme_picture import AGAIN, in_the_picture
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job, JobResult
@@ -89,8 +90,9 @@ def run_by_hand(family: str, profile: str) -> JobResult:
     return live.kept(planned) or run_job(Job(family, "handwritten", profile, planned.cases))
 
 
-@pytest.mark.slow
-def test_every_number_of_the_first_screen_is_that_of_a_row():
+@pytest.fixture(scope="module")
+def results() -> list[JobResult]:
+    """What the first screen tells of: hand-written code as it runs here, and the engines from recordings."""
     results = []
     for family in ("dropped-ball", "ball-to-rest", "sliding-slab", "stack"):
         for name in engine_names():
@@ -98,7 +100,23 @@ def test_every_number_of_the_first_screen_is_that_of_a_row():
                 if counts(profile) or is_plain(profile):
                     ours, job = name == "handwritten", Job(family, name, profile)
                     results.append(run_by_hand(family, profile) if ours else recall(job))
-    found = findings(sections([it for it in results if it is not None]))
+    return [it for it in results if it is not None]
+
+
+@pytest.mark.slow
+def test_the_readmes_picture_says_what_the_first_screen_says(results):
+    picture = in_the_picture()
+    for finding in findings(sections(results)):
+        said = [finding.question, finding.why, finding.more]
+        for group in finding.groups:
+            said += [group.opening, *(f"{it.who} {it.said} Δt {it.timestep}" for it in group.figures)]
+        told = [words.replace("*", "").removesuffix(" Δt ") for words in said]
+        assert [words for words in told if words not in picture] == [], AGAIN
+
+
+@pytest.mark.slow
+def test_every_number_of_the_first_screen_is_that_of_a_row(results):
+    found = findings(sections(results))
     rows = {(row.family, row.quantity, row.case, row.engine, row.profile): row for it in results for row in it.rows}
     engines = {title: name for name, title in TITLES.items()}
     asked = {
