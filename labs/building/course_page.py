@@ -109,9 +109,9 @@ writes this page from the lessons.
 
 {labs}
 
-The hours are planned and not timed; [how long a lab takes](notebooks.md#how-long-a-lab-takes) says how they were found. Each
-number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and the questions with
-model answers.
+The hours are planned and not timed; [how long a lab takes](notebooks.md#how-long-a-lab-takes) says how they were found.
+Each number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and the questions
+with model answers.
 
 {minutes}
 
@@ -167,5 +167,6 @@ decision of yours:
 - Students work in the notebook; `collisions check` tells them what is right at any time.
 - Mark the functions, the inputs and the predictions with `collisions lab marks`, and the questions by hand with the
   rubrics ([marking](grading.md#what-a-mark-is-made-of)).
-- If you doubt whose work a file is, `collisions lab oral` makes three questions from it ([assistants](notebooks.md#ai-assistants)).
+- If you doubt whose work a file is, `collisions lab oral` makes three questions from it
+  ([assistants](notebooks.md#ai-assistants)).
 """

@@ -86,7 +86,8 @@ def _hours(lesson: Lesson) -> Iterator[str]:
     kinds = ", ".join(f"{points} for {kind}" for kind, points in SHARES.items())
     yield (
         f"The lab is planned for {planned / 60:.2g} hours, and no class has been timed yet ([how the minutes were"
-        f" found](../notebooks.md#how-long-a-lab-takes)). Of a hundred points there are {kinds} ([marking](../grading.md#what-a-mark-is-made-of))."
+        f" found](../notebooks.md#how-long-a-lab-takes)). Of a hundred points there are {kinds}"
+        " ([marking](../grading.md#what-a-mark-is-made-of))."
     )
     rows = [f"| {part.title} | {part.minutes} | {part.written} |" for part in parts(lesson) if part.minutes]
     yield "\n".join(["| part | minutes | students write |", "|---|---|---|", *rows])
