@@ -15,7 +15,7 @@ from labs.cli.console import errors, own_streams
 from labs.cli.ending import let_signals_interrupt, told, told_whatever_happens
 from reference.engines.distributions import lab_version
 
-COMMANDS = ("check", "grade", "export", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
+COMMANDS = ("check", "grade", "export", "compare", "report", "engines", "show", "record", "bench")
 """Each is a function of the same name in a module of the same name."""
 GROUPS = ("lab",)
 """Modules with several commands in their `app`."""

@@ -258,22 +258,21 @@ def which_functions_ran(results: Sequence[JobResult]) -> str:
     return " ".join(said)
 
 
-def end(results: Sequence[Result], judged: bool = True) -> int:
-    """Print which runs crashed or were lost, and why; return the exit code. judged: as in `exit_code`."""
+def end(results: Sequence[Result]) -> int:
+    """Print which runs crashed or were lost, and why; return the exit code."""
     for line in without_answer(results):
         output.print(line, markup=False, soft_wrap=True)
     if any(row.verdict is Verdict.LOST for result in results for row in result.rows):
         output.print(_MORE_TIME, soft_wrap=True)
-    return exit_code(results, judged)
+    return exit_code(results)
 
 
-def exit_code(results: Sequence[Result], judged: bool = True) -> int:
+def exit_code(results: Sequence[Result]) -> int:
     """0 if all is well; 1 if a verdict that counts failed; 3 if a run that counts is missing, or none gave a number.
 
-    A verdict counts by the profile of its job. Other people's cases have none, and all of them count. judged: whether a
-    verdict that failed speaks against the command at all.
+    A verdict counts by the profile of its job. Other people's cases have none, and all of them count.
     """
     found = [(row.verdict, getattr(result.job, "profile", TUNED)) for result in results for row in result.rows]
     counted = {verdict for verdict, profile in found if counts(profile)}
     nothing = all(verdict in _NO_NUMBER for verdict, _ in found)
-    return ending.code_of(judged and Verdict.FAIL in counted, nothing or not counted.isdisjoint(NO_ANSWER))
+    return ending.code_of(Verdict.FAIL in counted, nothing or not counted.isdisjoint(NO_ANSWER))

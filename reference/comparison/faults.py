@@ -9,15 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 
-from reference.comparison import faulty_worlds as worlds
-from reference.comparison.faulty_worlds import World
 from reference.engines.base import EXACT, Engine, Method
-from reference.scene.scenario import Scenario
+from reference.scene import geometry
+from reference.scene.forces import OscillatingForce
+from reference.scene.polyhedron import Polyhedron
+from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Contacts, Event, Trajectory
+
+World = tuple[Scenario, Settings]
+"""The scenario and the settings that an engine runs instead of the true ones."""
+Change = Callable[[Scenario, Settings, float], World]
+"""Makes that world for a size: a share of a quantity, or an angle in degrees."""
 
 
 def _same_world(scenario: Scenario, settings: Settings, _: float) -> World:
@@ -43,7 +50,7 @@ class Fault:
     name: str
     title: str
     named: Callable[[Scenario, Method], bool]
-    world: Callable[[Scenario, Settings, float], World] = _same_world
+    world: Change = _same_world
     report: Callable[[Trajectory], Trajectory] = _as_it_is
     unit: str = ""
     first: float = 0.0
@@ -61,6 +68,131 @@ def run_with_fault(
     found = engine.run_many([scenario for scenario, _ in others], others[0][1])
     told = zip(scenarios, found, strict=True)
     return [fault.report(replace(trajectory, scenario=scenario, settings=settings)) for scenario, trajectory in told]
+
+
+# Another world
+
+
+def _scaled(entry: Any, size: float, *names: str) -> Any:
+    """The same pair, spring or force, with these numbers or vectors of it larger by a share."""
+    found = {name: getattr(entry, name) for name in names}
+    return replace(entry, **{name: _larger(value, size) for name, value in found.items()})
+
+
+def _larger(value: Any, size: float) -> Any:
+    return tuple((1 + size) * each for each in value) if isinstance(value, tuple) else value * (1 + size)
+
+
+def _of_each(kind: str, *names: str) -> Change:
+    """Change these quantities of all pairs, springs or other entries of the scenario by the same share."""
+
+    def world(scenario: Scenario, settings: Settings, size: float) -> World:
+        changed: dict[str, Any] = {kind: tuple(_scaled(each, size, *names) for each in getattr(scenario, kind))}
+        return replace(scenario, **changed), settings
+
+    return world
+
+
+def _of_fluid(name: str) -> Change:
+    return lambda scenario, settings, size: (replace(scenario, fluid=_scaled(scenario.fluid, size, name)), settings)
+
+
+def _static_for_kinetic(scenario: Scenario, settings: Settings, _: float) -> World:
+    """Each pair has its static coefficient in place of the kinetic one."""
+    pairs = tuple(
+        replace(pair, kinetic_friction=pair.static_friction or pair.kinetic_friction) for pair in scenario.pairs
+    )
+    return replace(scenario, pairs=pairs), settings
+
+
+def _other_gravity(scenario: Scenario, settings: Settings, size: float) -> World:
+    return _scaled(scenario, size, "gravity"), settings
+
+
+def _other_timestep(scenario: Scenario, settings: Settings, size: float) -> World:
+    """Steps of another length, as many as the simulated time then takes; each sample has its true time."""
+    return scenario, _scaled(settings, size, "timestep")
+
+
+def _other_amplitude(scenario: Scenario, settings: Settings, size: float) -> World:
+    forces = (_scaled(each, size, "amplitude") if _oscillates(each) else each for each in scenario.forces)
+    return replace(scenario, forces=tuple(forces)), settings
+
+
+def _oscillates(force: object) -> bool:
+    return isinstance(force, OscillatingForce)
+
+
+# Other bodies
+
+
+def _movable(scenario: Scenario) -> list[Body]:
+    return [body for body in scenario.bodies if not body.immovable]
+
+
+def _something_moves(scenario: Scenario, _: Method) -> bool:
+    return bool(_movable(scenario))
+
+
+def _something_turns(scenario: Scenario, _: Method) -> bool:
+    """Whether it can be seen how a movable body is turned."""
+    return any(not isinstance(body.shape, Sphere) for body in _movable(scenario))
+
+
+def _with_bodies(scenario: Scenario, settings: Settings, *changed: Body) -> World:
+    new = {body.name: body for body in changed}
+    return replace(scenario, bodies=tuple(new.get(body.name, body) for body in scenario.bodies)), settings
+
+
+def _other_mass(scenario: Scenario, settings: Settings, size: float) -> World:
+    """The first movable body has another mass, and still its own inertia."""
+    body = _movable(scenario)[0]
+    other = replace(body, mass=body.mass * (1 + size), inertia=body.moments_of_inertia())
+    return _with_bodies(scenario, settings, other)
+
+
+def _other_inertia(scenario: Scenario, settings: Settings, size: float) -> World:
+    """All movable bodies have other moments of inertia, and still their own mass."""
+    changed = (replace(body, inertia=_larger(body.moments_of_inertia(), size)) for body in _movable(scenario))
+    return _with_bodies(scenario, settings, *changed)
+
+
+def _solid(scenario: Scenario) -> Body | None:
+    """The first polyhedron."""
+    return next((body for body in scenario.bodies if isinstance(body.shape, Polyhedron)), None)
+
+
+def _moved_vertex(scenario: Scenario, settings: Settings, size: float) -> World:
+    """The first vertex of a solid is farther from the middle of all by a share of its distance."""
+    body = _solid(scenario)
+    assert body is not None
+    assert isinstance(body.shape, Polyhedron)
+    points = body.shape.points
+    points[0] += size * (points[0] - points.mean(axis=0))
+    other = replace(body, shape=replace(body.shape, vertices=tuple(map(tuple, points.tolist()))))
+    return _with_bodies(scenario, settings, other)
+
+
+def _turnable(scenario: Scenario) -> Body | None:
+    """The first half-space; without any, a box in a pair, one that cannot move before one that can; or a solid."""
+    met = {name for pair in scenario.pairs for name in (pair.body_a, pair.body_b)}
+    planes = [body for body in scenario.bodies if isinstance(body.shape, HalfSpace)]
+    boxes = [body for body in scenario.bodies if isinstance(body.shape, Box) and body.name in met]
+    return next(iter([*planes, *sorted(boxes, key=lambda body: not body.immovable)]), _solid(scenario))
+
+
+def _turned_normal(scenario: Scenario, settings: Settings, degrees: float) -> World:
+    """What is struck is turned about the y axis, across which most motions here lie; or about z, if it faces y."""
+    body = _turnable(scenario)
+    assert body is not None
+    about_y = not (isinstance(body.shape, HalfSpace) and abs(body.shape.normal[1]) > 0.5)
+    turn = np.radians(degrees) * (np.array([0.0, 1.0, 0.0]) if about_y else np.array([0.0, 0.0, 1.0]))
+    if isinstance(body.shape, HalfSpace):
+        quaternion = geometry.turned(np.array([1.0, 0.0, 0.0, 0.0]), turn)
+        x, y, z = (float(each) for each in geometry.rotate(quaternion, np.array(body.shape.normal)))
+        return _with_bodies(scenario, settings, replace(body, shape=HalfSpace((x, y, z))))
+    w, x, y, z = (float(each) for each in geometry.turned(np.array(body.orientation), turn))
+    return _with_bodies(scenario, settings, replace(body, orientation=(w, x, y, z)))
 
 
 # What is reported
@@ -102,83 +234,94 @@ def _one_sample_early(trajectory: Trajectory) -> Trajectory:
     )
 
 
-_FIRST = 1e-5
-"""A share that is far above rounding, and so small that hardly a contact falls into another step than without it."""
-_MOST = 0.05
+# All faults
+
+
+def _by_a_share(
+    name: str, title: str, named: Callable[[Scenario, Method], bool], world: Change, of_a_pair: bool = False
+) -> Fault:
+    """A fault that makes a quantity larger by a share.
+
+    The first run has a share far above rounding, and so small that hardly a contact falls into another step.
+    """
+    return Fault(name, title, named, world, unit="%", first=1e-5, most=0.05, of_a_pair=of_a_pair)
+
+
 FAULTS = (
-    Fault(
-        "restitution", "restitution",
+    _by_a_share(
+        "restitution",
+        "restitution",
         lambda scenario, _: any(pair.restitution > 0 for pair in scenario.pairs),
-        worlds.with_pairs(worlds.other_restitution), of_a_pair=True, unit="%", first=_FIRST, most=_MOST,
+        _of_each("pairs", "restitution"),
+        of_a_pair=True,
     ),
-    Fault(
-        "friction", "friction",
+    _by_a_share(
+        "friction",
+        "friction",
         lambda scenario, _: any(pair.kinetic_friction > 0 for pair in scenario.pairs),
-        worlds.with_pairs(worlds.other_friction), of_a_pair=True, unit="%", first=_FIRST, most=_MOST,
+        _of_each("pairs", "kinetic_friction", "static_friction"),
+        of_a_pair=True,
     ),
     Fault(
-        "static", "static friction for kinetic",
-        lambda scenario, _: any(worlds.has_two_coefficients(pair) for pair in scenario.pairs),
-        worlds.with_pairs(worlds.static_for_kinetic), of_a_pair=True,
+        "static",
+        "static friction for kinetic",
+        lambda scenario, _: any(pair.static_friction != pair.kinetic_friction for pair in scenario.pairs),
+        _static_for_kinetic,
+        of_a_pair=True,
     ),
-    Fault(
-        "gravity", "gravity",
-        lambda scenario, _: any(scenario.gravity),
-        worlds.other_gravity, unit="%", first=_FIRST, most=_MOST,
-    ),
-    Fault("mass", "mass", worlds.something_moves, worlds.other_mass, unit="%", first=_FIRST, most=_MOST),
-    Fault("inertia", "inertia", worlds.something_moves, worlds.other_inertia, unit="%", first=_FIRST, most=_MOST),
-    Fault(
-        "vertex", "a vertex of a solid",
-        lambda scenario, _: worlds.solid(scenario) is not None,
-        worlds.moved_vertex, unit="%", first=_FIRST, most=_MOST,
-    ),
-    Fault(
-        "timestep", "timestep",
-        lambda _, method: method.kind != EXACT,
-        worlds.other_timestep, unit="%", first=_FIRST, most=_MOST,
-    ),
+    _by_a_share("gravity", "gravity", lambda scenario, _: any(scenario.gravity), _other_gravity),
+    _by_a_share("mass", "mass", _something_moves, _other_mass),
+    _by_a_share("inertia", "inertia", _something_moves, _other_inertia),
+    _by_a_share("vertex", "a vertex of a solid", lambda scenario, _: _solid(scenario) is not None, _moved_vertex),
+    _by_a_share("timestep", "timestep", lambda _, method: method.kind != EXACT, _other_timestep),
     Fault("sample", "a sample early", lambda *_: True, report=_one_sample_early),
     Fault("sign", "sign of the deviation", lambda *_: True, mirrored=True),
-    Fault(
-        "quaternion", "order of a quaternion",
-        worlds.something_turns, report=_quaternions_in_another_order,
-    ),
+    Fault("quaternion", "order of a quaternion", _something_turns, report=_quaternions_in_another_order),
     Fault("bodies", "bodies of a contact swapped", lambda *_: True, report=_bodies_swapped, of_contacts=True),
     Fault("overlap", "sign of an overlap", lambda *_: True, report=_gap_for_overlap, of_contacts=True),
     Fault(
-        "normal", "direction of a normal",
-        lambda scenario, _: worlds.turnable(scenario) is not None,
-        worlds.turned_normal, unit="°", first=0.01, most=10.0,
+        "normal",
+        "direction of a normal",
+        lambda scenario, _: _turnable(scenario) is not None,
+        _turned_normal,
+        unit="°",
+        first=0.01,
+        most=10.0,
     ),
-    Fault(
-        "stiffness", "stiffness of the springs",
+    _by_a_share(
+        "stiffness",
+        "stiffness of the springs",
         lambda scenario, _: any(each.stiffness for each in scenario.springs),
-        worlds.with_springs("stiffness"), unit="%", first=_FIRST, most=_MOST,
+        _of_each("springs", "stiffness"),
     ),
-    Fault(
-        "damping", "damping of the springs",
+    _by_a_share(
+        "damping",
+        "damping of the springs",
         lambda scenario, _: any(each.damping for each in scenario.springs),
-        worlds.with_springs("damping"), unit="%", first=_FIRST, most=_MOST,
+        _of_each("springs", "damping"),
     ),
-    Fault(
-        "drive", "amplitude of an oscillating force",
-        lambda scenario, _: worlds.oscillating(scenario),
-        worlds.other_amplitude, unit="%", first=_FIRST, most=_MOST,
+    _by_a_share(
+        "drive",
+        "amplitude of an oscillating force",
+        lambda scenario, _: any(map(_oscillates, scenario.forces)),
+        _other_amplitude,
     ),
-    Fault(
-        "viscosity", "viscosity of the fluid",
+    _by_a_share(
+        "viscosity",
+        "viscosity of the fluid",
         lambda scenario, _: bool(scenario.fluid and scenario.fluid.viscosity),
-        worlds.with_fluid("viscosity"), unit="%", first=_FIRST, most=_MOST,
+        _of_fluid("viscosity"),
     ),
-    Fault(
-        "density", "density of the fluid",
+    _by_a_share(
+        "density",
+        "density of the fluid",
         lambda scenario, _: bool(scenario.fluid and scenario.fluid.density),
-        worlds.with_fluid("density"), unit="%", first=_FIRST, most=_MOST,
+        _of_fluid("density"),
     ),
-    Fault(
-        "attraction", "constant of attraction",
+    _by_a_share(
+        "attraction",
+        "constant of attraction",
         lambda scenario, _: bool(scenario.attractions),
-        worlds.other_attraction, unit="%", first=_FIRST, most=_MOST,
+        _of_each("attractions", "constant"),
     ),
-)  # fmt: skip
+)

@@ -136,14 +136,9 @@ def read_json(path: Path, schema: str, version: int) -> dict[str, Any] | None:
 
 
 def write_json(path: Path, content: Mapping[str, Any], depth: int) -> None:
-    """Write a file of recorded numbers, as `json_bytes` says, and the folders above it."""
+    """Write recorded numbers as JSON with a line for each entry down to some depth: a changed case changes one line."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, json_bytes(content, depth))
-
-
-def json_bytes(content: Mapping[str, Any], depth: int) -> bytes:
-    """Recorded numbers as JSON with a line for each entry down to some depth: a changed case changes one line."""
-    return f"{_lines(content, depth)}\n".encode()
+    write_whole(path, f"{_lines(content, depth)}\n".encode())
 
 
 def _lines(content: Any, depth: int) -> str:

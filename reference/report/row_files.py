@@ -15,9 +15,9 @@ from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.errors import InvalidInput
 from reference.published.results import PublishedRow
-from reference.recording import sensitivity
 from reference.recording.files import with_tuples
 from reference.report.agreement import as_content
+from reference.report.sensitivity import kept
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
 VERSIONS = {ROWS: 3, PUBLISHED: 3}
@@ -37,10 +37,10 @@ def rows_json(results: Iterable[JobResult], pairs: Iterable[Pair] = (), unfinish
     splits = [run_of(result) | asdict(result.split) for result in results if result.split is not None]
     rows = [asdict(row) for result in results for row in result.rows]
     families = {result.job.family for result in results}
-    noticed = [each for each in sensitivity.read() if each.family in families]
+    noticed = {family: found for family, found in kept().items() if family in families}
     content = {"rows": rows, "agreement": as_content(pairs), "convergence": studies, "splits": splits}
     content = _remark(unfinished) | content
-    return as_json(ROWS, content | {"sensitivity": sensitivity.as_content(noticed)["families"]})
+    return as_json(ROWS, content | {"sensitivity": noticed})
 
 
 def published_json(rows: Iterable[PublishedRow], unfinished: str = "") -> str:
