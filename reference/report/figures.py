@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 from reference.engines.profiles import EXACT, JOINT, SPRING, STEP, STOCK, TUNED, WORLD, counts
 from reference.report import numbers
-from reference.report.compact_svg import compact
 from reference.report.sections import Line, Section
 
 if TYPE_CHECKING:
@@ -196,7 +195,7 @@ def _own_ids(text: str, name: str) -> str:
     svg = re.sub(r'<g id="line2d[^"]*">', "<g>", drawn) + legend + explained  # nothing refers to a line or a tick
     for number, long in enumerate(re.findall(r'\bid="([mp][0-9a-f]{8,})"', svg)):  # of markers and clips
         svg = svg.replace(long, f"m{number}")
-    svg = compact(_without_second_styles(svg))
+    svg = re.sub(r">\s+<", "><", _without_second_styles(svg))
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
     return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)
