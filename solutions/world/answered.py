@@ -62,7 +62,6 @@ def answered(
         speed=np.where(
             rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt
         ),
-        least=np.zeros(len(rebound)),
         static_friction=surfaces.static_friction[of_a, of_b],
         kinetic_friction=surfaces.kinetic_friction[of_a, of_b],
         rebounds=rebound > 0,

@@ -88,7 +88,7 @@ def held(
     )
     seconds = np.where(left > 0, left, 1.0)[:, None]
     closing = np.maximum(near.separation[kept], 0.0) / seconds[some.body_a, 0]
-    wanted = Wanted(-closing, none, static, kinetic, none > 0)
+    wanted = Wanted(-closing, static, kinetic, none > 0)
 
     def stopped(velocity: Array, spin: Array) -> tuple[Array, Array]:
         return solve_sequentially(

@@ -69,7 +69,6 @@ def pushed_apart(
         np.where(ahead < 0, -rules.recovery * ahead, -ahead),
         none,
         none,
-        none,
         none > 0,
     )
     along, about, _ = solve_sequentially(

@@ -12,8 +12,9 @@ from solutions.world.rows import Rows
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, solve_sequentially
 from solutions.world.simultaneous import solve_simultaneously
-from solutions.world.two_phases import Answer, solve_in_two_phases
 
+Answer = tuple[Array, Array, Array]
+"""Velocities and spins (n, 3) of the bodies, impulses (m, 3) of the contacts."""
 UNSETTLED_SHARE, UNSETTLED_SWEEPS, UNSETTLED_TOLERANCE = 10, 500, 0.1
 """How many sweeps may follow on the usual ones in the first steps of a run.
 
@@ -56,39 +57,31 @@ class Question(NamedTuple):
 
 def sequential(asked: Question) -> Answer:
     """Contact after contact, again and again; see `solve_sequentially`."""
-
     more = min(UNSETTLED_SHARE * asked.rules.sweeps, UNSETTLED_SWEEPS)
     more *= asked.unsettled
 
-    def solve(wanted: Wanted, start: Array) -> Answer:
-        return solve_sequentially(
-            asked.rows,
-            asked.groups,
-            asked.velocity,
-            asked.angular_velocity,
-            wanted,
-            start,
-            asked.rules.sweeps,
-            asked.rules.tolerance * (UNSETTLED_TOLERANCE if more else 1.0),
-            more,
-        )
-
-    return _by_law(solve, asked)
+    return solve_sequentially(
+        asked.rows,
+        asked.groups,
+        asked.velocity,
+        asked.angular_velocity,
+        asked.wanted,
+        asked.start,
+        asked.rules.sweeps,
+        asked.rules.tolerance * (UNSETTLED_TOLERANCE if more else 1.0),
+        more,
+    )
 
 
 def simultaneous(asked: Question) -> Answer:
     """All contacts at once; see `solve_simultaneously`."""
-
-    def solve(wanted: Wanted, start: Array) -> Answer:
-        return solve_simultaneously(
-            asked.rows,
-            asked.velocity,
-            asked.angular_velocity,
-            wanted,
-            asked.rules.directions,
-        )
-
-    return _by_law(solve, asked)
+    return solve_simultaneously(
+        asked.rows,
+        asked.velocity,
+        asked.angular_velocity,
+        asked.wanted,
+        asked.rules.directions,
+    )
 
 
 def penalty(asked: Question) -> Answer:
@@ -112,13 +105,3 @@ RESPONSES: dict[str, Callable[[Question], Answer]] = {
     "simultaneous": simultaneous,
     "penalty": penalty,
 }
-
-
-def _by_law(
-    solve: Callable[[Wanted, Array], Answer], asked: Question
-) -> Answer:
-    if asked.rules.law == "poisson":
-        return solve_in_two_phases(
-            solve, asked.wanted, asked.restitution, asked.start
-        )
-    return solve(asked.wanted, asked.start)

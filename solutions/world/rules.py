@@ -8,8 +8,8 @@ from typing import NamedTuple
 from solutions.checks import between, finite, not_negative, positive, whole
 
 LAWS = {
-    "sequential": ("dissipative", "newton", "poisson"),
-    "simultaneous": ("dissipative", "newton", "poisson"),
+    "sequential": ("dissipative", "newton"),
+    "simultaneous": ("dissipative", "newton"),
     "penalty": ("dissipative",),
     "in time order": ("dissipative", "newton", "poisson", "stronge"),
 }

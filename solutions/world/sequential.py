@@ -21,14 +21,11 @@ class Wanted(NamedTuple):
     Attributes
     ----------
     speed : (m,), the least normal speed after the impulses, m/s
-    least : (m,), the least normal impulse, N s: 0, because contacts do not
-    pull
     static_friction, kinetic_friction : (m,), μ_s and μ_k
     rebounds : (m,), whether the points part after an impact
     """
 
     speed: Array
-    least: Array
     static_friction: Array
     kinetic_friction: Array
     rebounds: Booleans
@@ -219,14 +216,13 @@ def solve_sequentially(
             missing = wanted.speed[group] - speed[:, 0]
             taken = np.vecdot(rows.coupling[group], had[:, 1:])
             new[:, 0] = np.maximum(
-                wanted.least[group] + taken,
-                had[:, 0] + missing / rows.softness[group, 0, 0],
+                taken, had[:, 0] + missing / rows.softness[group, 0, 0]
             )
             new[:, 1:] = friction.impulse(
                 group, had[:, 1:], speed[:, 1:], new[:, 0]
             )
             taken = np.vecdot(rows.coupling[group], new[:, 1:])
-            new[:, 0] = np.maximum(wanted.least[group] + taken, new[:, 0])
+            new[:, 0] = np.maximum(taken, new[:, 0])
             velocities[bodies[group]] = of_both + np.vecmat(
                 new - had, rows.answer[group]
             ).reshape(-1, 2, 6)

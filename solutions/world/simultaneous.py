@@ -112,16 +112,12 @@ def _impulses(
     mass = 1 / np.max(softness[:, 0, :, 0])
     scaled = softness * mass
     if not np.any(wanted.static_friction):
-        missing = (
-            apart[:, 0] - wanted.speed + softness[:, 0, :, 0] @ wanted.least
-        )
-        normal = wanted.least + mass * solve_by_pivots(
-            scaled[:, 0, :, 0], missing
-        )
+        missing = apart[:, 0] - wanted.speed
+        normal = mass * solve_by_pivots(scaled[:, 0, :, 0], missing)
         return np.stack([normal, 0 * normal, 0 * normal], axis=-1)
     friction = wanted.static_friction
     solved, slip = _with_friction(
-        rows, scaled, apart, wanted, wanted.least / mass, friction, directions
+        rows, scaled, apart, wanted, friction, directions
     )
     weaker = (slip > STILL * np.max(np.abs(apart))) & (
         wanted.kinetic_friction < friction
@@ -129,13 +125,7 @@ def _impulses(
     if np.any(weaker):
         friction = np.where(weaker, wanted.kinetic_friction, friction)
         solved, _ = _with_friction(
-            rows,
-            scaled,
-            apart,
-            wanted,
-            wanted.least / mass,
-            friction,
-            directions,
+            rows, scaled, apart, wanted, friction, directions
         )
     return mass * solved
 
@@ -158,7 +148,6 @@ def _with_friction(
     softness: Array,
     apart: Array,
     wanted: Wanted,
-    least: Array,
     friction: Array,
     directions: int,
 ) -> tuple[Array, Array]:
@@ -193,9 +182,7 @@ def _with_friction(
             np.zeros(count),
         ]
     )
-    offset += matrix[:, :count] @ least
     solved = solve_by_pivots(matrix, offset)
     pushes = solved[count:-count].reshape(count, directions)
-    return np.concatenate(
-        [(least + solved[:count])[:, None], pushes @ d], axis=-1
-    ), solved[-count:]
+    impulse = np.concatenate([solved[:count, None], pushes @ d], axis=-1)
+    return impulse, solved[-count:]

@@ -203,7 +203,7 @@ def test_the_world_parts_from_the_laws_of_topics_where_a_rods_slip_turns():
         for law in (DISSIPATIVE, NEWTON, POISSON, STRONGE):
             along, pressed = planar_impact(contact, e, law)
             after[law, slip] = (*contact.after(along, pressed), contact.energy_gained(along, pressed))
-        for law in (DISSIPATIVE, NEWTON, POISSON):
+        for law in (DISSIPATIVE, NEWTON):
             _, memory, _ = advance_world(bodies, start, FREE, 1e-5, TOUCHING._replace(law=law))
             along, pressed = memory.impulse[0] @ ahead, memory.impulse[0, 2]
             after["world, " + law, slip] = (*contact.after(along, pressed), contact.energy_gained(along, pressed))
@@ -215,7 +215,6 @@ def test_the_world_parts_from_the_laws_of_topics_where_a_rods_slip_turns():
     assert min(left.values()) > 0.19
     assert left[DISSIPATIVE] - left[NEWTON] > 0.1
     assert abs(left[STRONGE] - left[DISSIPATIVE]) < 0.02  # the world's own law is the nearer to what was followed
-    assert left["world, " + POISSON] == pytest.approx(left[NEWTON])  # two phases, and within each one impulse
 
 
 @pytest.mark.parametrize("response", ["sequential", "simultaneous", "in time order"])

@@ -70,14 +70,6 @@ def test_a_state_does_not_change_with_what_it_was_made_of():
         np.testing.assert_array_equal(part, before)
 
 
-@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
-def test_by_poissons_law_a_resting_ball_stays_while_another_rebounds(response):
-    bodies, state = balls([(0, 0, 0.1), (1, 0, 0.1)], [(0, 0, 0), (0, 0, -2)], restitution=0.5)
-    after, _, _ = advance_world(bodies, state, DOWN, 0.01, Rules(response=response, law="poisson"))
-    # The weight of this step counts in the impulse that is given back; rounding
-    np.testing.assert_allclose(after.velocity[1:, 2], [0, 0.5 * (2 + 0.01 * G)], atol=1e-14)
-
-
 def test_a_penalty_ball_slides_with_kinetic_friction():
     bodies, state = balls([(0, 0, 0.1 - G / 1e4)], [(3, 4, 0)], friction=0.2, static_friction=0.9)
     after, _, _ = advance_world(bodies, state, DOWN, 1e-3, Rules(response="penalty"))
