@@ -7,8 +7,8 @@ import math
 import numpy as np
 from matplotlib.figure import Figure
 
+from reference.superball_truth import between_walls
 from solutions.forces import semi_implicit_euler
-from solutions.friction import superball_impact
 from solutions.response import hertz_contact_time, hertz_force, penalty_force
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -48,16 +48,13 @@ def superball(figure: Figure) -> None:
     speed after the three bounces (Garwin 1969).
     """
     axes = figure.add_subplot()
-    height, radius = 1.0, 0.025
+    height = 1.0
     for e_t, colour, style in ((0.0, "#0072b2", "--"), (0.5, "#999999", ":"), (1.0, "#d55e00", "-")):
-        velocity, spin = np.array([1.0, 0.0, -1.0]), np.zeros(3)
-        place = np.array([0.0, 0.0, height])
-        path = [place]
-        for normal in (UP, -UP, UP):
-            place = place + velocity * abs(height / velocity[2])
-            path.append(place)
-            velocity, spin = superball_impact(velocity, spin, normal, radius, 1.0, 50.0, e_t)
-        path.append(place + velocity * height)
+        thrown, surface = np.array([1.0, 0.0, -1.0]), np.zeros(3)
+        bounces = between_walls(thrown, surface, (UP, -UP, UP), (1.0, 1.0, 1.0), 50.0, e_t)
+        path = [np.array([0.0, 0.0, height])]
+        for velocity, _ in ((thrown, surface), *bounces):
+            path.append(path[-1] + velocity * abs(height / velocity[2]))
         x, _, z = np.transpose(path)
         axes.plot(x, z, style, color=colour, lw=1.6, label=f"e_t = {e_t:g}")
         axes.plot(x[-1], z[-1], "o", ms=6, color=colour)

@@ -19,7 +19,6 @@ from solutions.friction import (
     point_inverse_mass,
     poisson_impulse,
     sphere_impact,
-    stick_slip_times,
     stronge_impulse,
 )
 from solutions.world import (
@@ -74,31 +73,6 @@ def circle_not_square(figure: Figure) -> None:
         axes.set_xlabel("force, in μ N")
     handles = left.get_legend_handles_labels()
     figure.legend(*handles, loc="outside lower center", ncols=2)
-
-
-def stick_slip(figure: Figure) -> None:
-    """A block drawn by a spring at a steady speed: it sticks while the spring pulls harder and harder, then slips."""
-    axes = figure.add_subplot()
-    mass, stiffness, drive, weight, static, kinetic, dt = 1.0, 100.0, 0.2, 10.0, 0.6, 0.3, 1e-3
-    stick, slip = stick_slip_times(mass, stiffness, drive, weight, static, kinetic)
-    p, v, pulls = np.zeros(3), np.zeros(3), []
-    times = dt * np.arange(1400)
-    for time in times:
-        pull = stiffness * (drive * time * X - p)
-        force = pull + friction_force(pull, v, weight, static, kinetic)
-        after = v + dt * force / mass
-        v = STILL if after @ v < 0 else after  # friction stops a body, it does not turn it round
-        p = p + dt * v
-        pulls.append(pull[0])
-    axes.plot(times, pulls, label="pull of the spring")
-    start = static * weight / (stiffness * drive)
-    for begin in np.arange(start, times[-1], float(stick + slip)):
-        axes.axvspan(begin, min(begin + float(slip), times[-1]), color="#dddddd")
-    axes.axhline(static * weight, linestyle="--", color="#0072b2", label="μ_s N")
-    axes.axhline(kinetic * weight, linestyle=":", color="#d55e00", label="μ_k N")
-    axes.set(xlabel="time, s", ylabel="force, N", xlim=(0, times[-1]), ylim=(-1, 9))
-    axes.set_title(f"Grey: slipping, by the closed form {float(slip):.3f} s of {float(stick + slip):.3f} s")
-    axes.legend(loc="upper left", ncols=3)
 
 
 def grip_and_slip(figure: Figure) -> None:
@@ -215,5 +189,4 @@ FIGURES = {
     (22, "sweeps"): sweeps,
     (24, "static-friction"): static_friction,
     (24, "circle-not-square"): circle_not_square,
-    (24, "stick-slip"): stick_slip,
 }

@@ -14,9 +14,7 @@ from solutions.sweeping import (
     ray_box,
     rotated,
     separation_of_hulls,
-    sweep_boxes,
     sweep_convex,
-    sweep_sphere_triangle,
 )
 
 BLACK, BLUE, ORANGE, GREEN, GREY = "#1b1b1b", "#0072b2", "#d55e00", "#009e73", "#999999"
@@ -32,18 +30,17 @@ def minkowski_sum(figure: Figure) -> None:
     half_a, half_b = np.array([0.3, 0.2, 0.1]), np.array([0.5, 0.4, 0.1])
     place_a, place_b = np.array([-2.0, -0.8, 0]), np.array([0.6, 0.9, 0])
     way_a, way_b = np.array([2.2, 0.9, 0]), np.array([0.1, -1.0, 0])
-    entry, _ = sweep_boxes(place_a, way_a, half_a, place_b, way_b, half_b, 1.0)
+    first, last = ray_box(place_a - place_b, way_a - way_b, half_a + half_b)
     for place, way, half, color, name in ((place_a, way_a, half_a, BLUE, "A"), (place_b, way_b, half_b, ORANGE, "B")):
-        for time, style in ((0.0, ":"), (float(entry), "-")):
+        for time, style in ((0.0, ":"), (float(first), "-")):
             corner = (place + way * time - half)[:2]
             world.add_patch(
                 Rectangle(tuple(corner), *2 * half[:2], fill=False, edgecolor=color, linestyle=style, lw=1.6)
             )
-        world.annotate("", (place + way * entry)[:2], place[:2], arrowprops={"arrowstyle": "->", "color": color})
+        world.annotate("", (place + way * first)[:2], place[:2], arrowprops={"arrowstyle": "->", "color": color})
         world.annotate(name, place[:2], (8, -2) if name == "B" else (-4, -22), textcoords="offset points", color=color)
     world.set(xlim=(-2.6, 1.4), ylim=(-1.4, 1.6), aspect="equal", xlabel="x, m", ylabel="y, m", title="In the world")
     start, way = (place_a - place_b)[:2], (way_a - way_b)[:2]
-    first, last = ray_box(place_a - place_b, way_a - way_b, half_a + half_b)
     grown = half_a + half_b
     relative.add_patch(
         Rectangle(tuple(-grown[:2]), *2 * grown[:2], facecolor="#f6ddcb", edgecolor=ORANGE, linestyle="--")
@@ -58,28 +55,6 @@ def minkowski_sum(figure: Figure) -> None:
     )
     relative.annotate("B grown by A", (0, -grown[1]), (0, -13), textcoords="offset points", ha="center", fontsize=9)
     relative.set(xlim=(-3, 1.3), ylim=(-2, 1.3), aspect="equal", xlabel="x, m", title="Seen from B")
-
-
-def grown_triangle(figure: Figure) -> None:
-    """A ball falls past a triangle seen edge on: grown by the ball it has flat faces, round ends, and no gap."""
-    axes = figure.add_subplot()
-    triangle, radius, height = np.array([[-1.0, -1, 0], [1, -1, 0], [0, 2, 0]]), 0.4, 1.5
-    ends = np.array([-2 / 3, 2 / 3])  # where the plane y = 0 cuts its edges
-    places = np.linspace(-1.5, 1.5, 601)
-    centres = np.stack([places, 0 * places, np.full(601, height)], axis=-1)
-    times = sweep_sphere_triangle(centres, [0, 0, -1], radius, triangle, 10.0)
-    hit = np.isfinite(times)
-    axes.plot(ends, [0, 0], color=BLACK, lw=4, solid_capstyle="round", label="triangle, cut at y = 0")
-    axes.plot(places[hit], height - times[hit], color=ORANGE, lw=2, label="centre at the first touch")
-    for place in (-1.3, -0.9, 0.0, 0.8):
-        time = float(sweep_sphere_triangle([place, 0, height], [0, 0, -1], radius, triangle, 10.0))
-        end = height - time if np.isfinite(time) else -0.5
-        axes.annotate("", (place, end), (place, height), arrowprops={"arrowstyle": "->", "color": BLUE})
-        if np.isfinite(time):
-            axes.add_patch(Circle((place, end), radius, fill=False, ec=BLUE, ls=":"))
-    axes.annotate("a miss", (-1.3, -0.5), (0, -13), textcoords="offset points", ha="center", fontsize=9)
-    axes.set(xlim=(-2, 2), ylim=(-0.8, 1.9), aspect="equal", xlabel="x, m", ylabel="z, m")
-    axes.legend(loc="upper right", fontsize=8)
 
 
 def rod_at(time: float) -> np.ndarray:
@@ -136,6 +111,5 @@ def turning_rod(figure: Figure) -> None:
 
 FIGURES = {
     (10, "minkowski-sum"): minkowski_sum,
-    (10, "grown-triangle"): grown_triangle,
     (10, "turning-rod"): turning_rod,
 }

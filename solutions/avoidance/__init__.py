@@ -1,6 +1,6 @@
 """Avoiding a collision: fields, steering, flocks and crowds (slide 1)."""
 
-from solutions.avoidance.approach import nearest_approach, time_to_collision
+from solutions.avoidance.approach import nearest_approach
 from solutions.avoidance.cones import cap_of_cone, orca_half_plane
 from solutions.avoidance.directions import limited
 from solutions.avoidance.fields import repelling_force, sphere_force
@@ -36,6 +36,5 @@ __all__ = [
     "steer_around",
     "steering_force",
     "tangent_point",
-    "time_to_collision",
     "towards_mean",
 ]

@@ -12,7 +12,6 @@ from solutions.detection.planes import (
 from solutions.detection.sampling import (
     missing_probability,
     overlap_interval,
-    substeps_needed,
 )
 from solutions.detection.time_of_impact import (
     time_of_impact_exact,
@@ -27,7 +26,6 @@ __all__ = [
     "overlap_interval",
     "side_of_plane",
     "signed_distance",
-    "substeps_needed",
     "time_of_impact_exact",
     "time_of_impact_interpolated",
 ]

@@ -7,10 +7,10 @@ test at each step misses, and how many substeps miss none.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive
+from solutions.checks import finite, not_negative
 
 
 def overlap_interval(
@@ -129,50 +129,3 @@ def missing_probability(
     way, caught = speed * dt, thickness + 2 * radius
     missed = 1 - caught / np.where(way > 0, way, 1.0)
     return np.where(way > caught, missed, 0.0)
-
-
-def substeps_needed(
-    speed: ArrayLike,
-    thickness: ArrayLike,
-    radius: ArrayLike,
-    dt: ArrayLike,
-) -> NDArray[np.int64]:
-    """Smallest number of substeps that lets no ball pass unseen (slide 9).
-
-    Parameters
-    ----------
-    speed : (...), v, along the normal of the wall, m/s
-    thickness, radius : (...), w and r, m
-    dt : (...), s, length of the whole step
-
-    Returns
-    -------
-    (...), at least 1
-        Each substep is shorter than w + 2r; a test at the end of a substep of
-        exactly this length might find a mere touch.
-
-    Raises
-    ------
-    ValueError
-        If an argument is negative, speed or dt is not finite, or w + 2r is
-        zero: no number of tests catches a point on a sheet.
-
-    Notes
-    -----
-    The result is the smallest whole number n with
-
-        v Δt/n < w + 2r
-
-    Each substep is then shorter than the distance over which ball and wall
-    overlap. At least one substep therefore ends while they overlap, and by
-    more than a touch.
-    """
-    way = finite("speed", not_negative("speed", speed)) * finite(
-        "dt", not_negative("dt", dt)
-    )
-    caught = not_negative("thickness", thickness) + 2 * not_negative(
-        "radius", radius
-    )
-    return np.asarray(
-        np.floor(way / positive("thickness + 2 radius", caught)) + 1
-    ).astype(np.int64)

@@ -14,10 +14,9 @@ from solutions.forces.accumulator import (
     acceleration_of,
     audit_energy,
     evaluate_forces,
-    power_by_tag,
 )
-from solutions.forces.correlations import CORRELATIONS, LARGEST_REYNOLDS, DragRangeWarning, drag_correction
-from solutions.forces.drag import buoyancy, spheroid_drag, stokes_drag
+from solutions.forces.correlations import LARGEST_REYNOLDS, drag_correction
+from solutions.forces.drag import buoyancy, stokes_drag
 from solutions.forces.falling import drag_motion, relaxation_time, terminal_velocity, terminal_velocity_corrected
 from solutions.forces.gravity import (
     GRAVITATIONAL_CONSTANT,
@@ -37,22 +36,19 @@ from solutions.forces.integrators import (
     velocity_verlet,
 )
 from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
-from solutions.forces.resonance import driven_oscillator, steady_oscillation
+from solutions.forces.resonance import driven_oscillator
 from solutions.forces.reynolds import STOKES_LIMIT, StokesRegimeWarning, check_stokes_regime, reynolds_number
 from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
 from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
-from solutions.forces.stability import spring_step_limit, stable_step
+from solutions.forces.stability import spring_step_limit
 from solutions.forces.total import total_force
-from solutions.forces.walls import parallel_wall_factor, perpendicular_wall_factor, tube_wall_factor
 from solutions.forces.wind import sample_field, wind_force
 
 __all__ = [
-    "CORRELATIONS",
     "GRAVITATIONAL_CONSTANT",
     "LARGEST_REYNOLDS",
     "STANDARD_GRAVITY",
     "STOKES_LIMIT",
-    "DragRangeWarning",
     "EnergyAudit",
     "Force",
     "StokesRegimeWarning",
@@ -73,29 +69,22 @@ __all__ = [
     "implicit_euler",
     "mutual_gravity",
     "natural_frequency",
-    "parallel_wall_factor",
-    "perpendicular_wall_factor",
-    "power_by_tag",
     "relaxation_time",
     "reynolds_number",
     "runge_kutta_4",
     "sample_field",
     "semi_implicit_euler",
     "sphere_shape_factor",
-    "spheroid_drag",
     "spheroid_shape_factors",
     "spring_damper_force",
     "spring_energy",
     "spring_force",
     "spring_step_limit",
-    "stable_step",
-    "steady_oscillation",
     "stokes_drag",
     "surface_gravity",
     "terminal_velocity",
     "terminal_velocity_corrected",
     "total_force",
-    "tube_wall_factor",
     "uniform_gravity",
     "universal_gravity",
     "universal_gravity_energy",

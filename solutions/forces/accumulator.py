@@ -120,43 +120,6 @@ def acceleration_of(
     return acceleration
 
 
-def power_by_tag(
-    forces: Sequence[Force],
-    position: ArrayLike,
-    velocity: ArrayLike,
-) -> dict[str, Array]:
-    """Power that the forces of each tag bring in, over all bodies.
-
-    Parameters
-    ----------
-    forces : each with a name of its own
-    position, velocity : (..., N, 3), m, m/s
-
-    Returns
-    -------
-    (...) for each of the three tags, W
-        It is zero for a tag that no force has.
-
-    Raises
-    ------
-    ValueError
-        If two forces have the same name.
-
-    Notes
-    -----
-    A force F on a body with the velocity v does the work F·v dt in a short time dt. So
-    its power is F·v, and the function returns Σ F·v over the bodies and over the forces
-    of the tag.
-    """
-    found = evaluate_forces(forces, position, velocity)
-    powers = {each.name: _power(found[each.name], np.asarray(velocity, dtype=float)) for each in forces}
-    zero = np.zeros(np.broadcast_shapes(np.shape(position), np.shape(velocity))[:-2])
-    return {
-        tag: np.asarray(sum((powers[each.name] for each in forces if each.tag == tag), start=zero))
-        for tag in get_args(Tag)
-    }
-
-
 @dataclass(frozen=True)
 class EnergyAudit:
     """Where the energy of a run of T states went, J, each (T,).

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -10,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
-from solutions.forces.correlations import LARGEST_REYNOLDS, DragRangeWarning, drag_correction
+from solutions.forces.correlations import LARGEST_REYNOLDS, drag_correction
 from solutions.forces.reynolds import check_stokes_regime, reynolds_number
 from solutions.scaling import length_of
 
@@ -185,7 +184,6 @@ def terminal_velocity_corrected(
     gravity : (..., 3), m/s²
     correction : function φ of the Reynolds number (...)
         It returns the true drag over Stokes' drag, more than half of it.
-        `functools.partial(drag_correction, correlation="Cheng")` takes another fit.
 
     Returns
     -------
@@ -199,11 +197,6 @@ def terminal_velocity_corrected(
         If the fall is faster than the correction is known for. If radius or viscosity
         is not positive, a density is negative, or gravity does not have three
         components.
-
-    Warns
-    -----
-    DragRangeWarning
-        Where the fall is outside the range of another fit than the default.
 
     Notes
     -----
@@ -227,13 +220,10 @@ def terminal_velocity_corrected(
     stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
     target = 2 * r * rho * length_of(stokes) / eta
     low, high = np.zeros_like(target), np.minimum(2 * target, LARGEST_REYNOLDS)
-    with warnings.catch_warnings():  # on the way to the solution, a fit may leave its range
-        warnings.simplefilter("ignore", DragRangeWarning)
-        if np.any(high * correction(high) < target):
-            raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
-        for _ in range(60):
-            middle = (low + high) / 2
-            slower = middle * correction(middle) < target
-            low, high = np.where(slower, middle, low), np.where(slower, high, middle)
-    correction(high)  # which warns if the solution itself is out of range
+    if np.any(high * correction(high) < target):
+        raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
+    for _ in range(60):
+        middle = (low + high) / 2
+        slower = middle * correction(middle) < target
+        low, high = np.where(slower, middle, low), np.where(slower, high, middle)
     return np.asarray(stokes * np.where(target > 0, high / np.where(target > 0, target, 1.0), 1.0)[..., None])

@@ -14,57 +14,6 @@ LITTLE, TERMS = 2.0, 32
 """The largest angle at which the motion is summed as a power series, and its terms."""
 
 
-def steady_oscillation(
-    stiffness: ArrayLike,
-    damping: ArrayLike,
-    mass: ArrayLike,
-    force: ArrayLike,
-    angular_frequency: ArrayLike,
-) -> tuple[Array, Array]:
-    """Amplitude of an oscillator that a force has driven for long, and its phase lag.
-
-    The force is F cos Ωt, and the displacement tends to A cos(Ωt − δ).
-
-    Parameters
-    ----------
-    stiffness : (...), k, N/m, not negative
-    damping : (...), c, N s/m, not negative
-    mass : (...), m, kg, above zero and finite
-    force : (...), F, N, not negative
-    angular_frequency : (...), Ω, rad/s, above zero
-
-    Returns
-    -------
-    amplitude : (...), A, m
-    lag : (...), δ, rad, from 0 to π
-        It is small far below resonance, π/2 at Ω = √(k/m), and near π far above.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of its range, or if an oscillator without damping is
-        driven at resonance, where the amplitude grows without end.
-
-    Notes
-    -----
-    Put A cos(Ωt − δ) into m x″ + c x′ + k x = F cos Ωt. At Ωt = δ and a quarter of a
-    swing later this says
-
-        (k − m Ω²) A = F cos δ,    c Ω A = F sin δ
-
-    The sum of the squares gives the amplitude, and the quotient gives the lag:
-
-        A = F/√((k − m Ω²)² + (c Ω)²),    tan δ = c Ω/(k − m Ω²)
-    """
-    omega = positive("angular_frequency", angular_frequency)
-    along = not_negative("stiffness", stiffness) - finite("mass", positive("mass", mass)) * omega**2
-    across = not_negative("damping", damping) * omega
-    resistance = np.hypot(along, across)
-    if np.any(resistance == 0):
-        raise ValueError("damping is 0 at resonance, where the amplitude grows without end")
-    return np.asarray(not_negative("force", force) / resistance), np.asarray(np.arctan2(across, along))
-
-
 def driven_oscillator(
     displacement: ArrayLike,
     velocity: ArrayLike,
@@ -84,8 +33,11 @@ def driven_oscillator(
     ----------
     displacement : (...), x0 = x − x_rest, m
     velocity : (...), v0, m/s
-    stiffness, damping, mass, force, angular_frequency : (...), as `steady_oscillation`
-        takes them
+    stiffness : (...), k, N/m, not negative
+    damping : (...), c, N s/m, not negative
+    mass : (...), m, kg, above zero and finite
+    force : (...), F, N, not negative
+    angular_frequency : (...), Ω, rad/s, above zero
     phase : (...), φ, rad
     t : (...), s, not negative, finite
 

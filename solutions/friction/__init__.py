@@ -9,9 +9,7 @@ from solutions.friction.impact import (
     friction_impulse,
     impact_energy,
     point_inverse_mass,
-    sphere_grips,
     sphere_impact,
-    superball_impact,
 )
 from solutions.friction.impact_laws import (
     dissipative_impulse,
@@ -21,8 +19,6 @@ from solutions.friction.impact_laws import (
 from solutions.friction.rolling import roll_step
 from solutions.friction.support import (
     break_away_time,
-    friction_angle,
-    stick_slip_times,
     support_force,
 )
 
@@ -31,7 +27,6 @@ __all__ = [
     "clamp_to_circle",
     "clamp_to_square",
     "dissipative_impulse",
-    "friction_angle",
     "friction_force",
     "friction_impulse",
     "holds",
@@ -40,10 +35,7 @@ __all__ = [
     "poisson_impulse",
     "roll_step",
     "sliding_motion",
-    "sphere_grips",
     "sphere_impact",
-    "stick_slip_times",
     "stronge_impulse",
-    "superball_impact",
     "support_force",
 ]

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array, Booleans
+from solutions.arrays import Array
 from solutions.checks import (
-    between,
     finite,
     in_unit_interval,
     matrix,
@@ -222,49 +221,6 @@ def impact_energy(
     )
 
 
-def sphere_grips(
-    slip: ArrayLike,
-    approach_speed: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
-) -> Booleans:
-    """Whether a solid sphere grips the floor in an impact.
-
-    Parameters
-    ----------
-    slip : (...), |u_t| of the point of contact, m/s
-    approach_speed : (...), v_n, m/s
-    restitution, friction : (...), e, 0 to 1, and μ
-
-    Returns
-    -------
-    (...), bool
-
-    Raises
-    ------
-    ValueError
-        If e is not from 0 to 1, another number is negative, or μ or v_n is not
-        finite.
-
-    Notes
-    -----
-    An impulse J_t along the floor changes the slip by J_t/m through the
-    velocity of the centre and by 5/2 J_t/m through the spin, together by 7/2
-    J_t/m. The normal impulse is m (1 + e) v_n, so that J_t is at most μ m (1 +
-    e) v_n. This ends the slip if
-
-        |u_t| ≤ (7/2) μ (1 + e) v_n
-    """
-    mu = finite("friction", not_negative("friction", friction))
-    speed = finite(
-        "approach_speed", not_negative("approach_speed", approach_speed)
-    )
-    most = (
-        3.5 * mu * (1 + in_unit_interval("restitution", restitution)) * speed
-    )
-    return np.asarray(not_negative("slip", slip) <= most, dtype=bool)
-
-
 def sphere_impact(
     velocity: ArrayLike,
     angular_velocity: ArrayLike,
@@ -320,66 +276,3 @@ def sphere_impact(
         v + np.cross(spin * length, arm), n, k, restitution, friction
     )
     return v + j, spin + np.cross(arm, j) / inertia / length
-
-
-def superball_impact(
-    velocity: ArrayLike,
-    angular_velocity: ArrayLike,
-    normal: ArrayLike,
-    radius: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
-    tangent_restitution: ArrayLike,
-    inertia_share: ArrayLike = 0.4,
-) -> tuple[Array, Array]:
-    """Velocities of a sphere whose contact springs back sideways as well.
-
-    Parameters
-    ----------
-    velocity, angular_velocity : (..., 3), m/s and rad/s
-    normal : (..., 3), unit, out of the plane
-    radius : (...), R, m
-    restitution, friction : (...), e, 0 to 1, and μ
-    tangent_restitution : (...), e_t, −1 to 1
-        0 stops the slip as `sphere_impact` does, 1 reverses it, and −1 leaves
-        it as it is.
-    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow
-    one
-
-    Returns
-    -------
-    velocity, angular_velocity : (..., 3), m/s and rad/s
-
-    Raises
-    ------
-    ValueError
-        As sphere_impact, or if e_t is not from −1 to 1.
-
-    Notes
-    -----
-    Where the sphere grips, its slip u_t reverses as Newton's rule reverses
-    u_n:
-
-        u_t⁺ = −e_t u_t
-
-    Stopping the slip takes an impulse in proportion to u_t, and reversing it 1
-    + e_t times this impulse. That is the impulse which stops a slip of (1 +
-    e_t) u_t. So the code adds e_t u_t to the velocity, lets `sphere_impact`
-    find the impact, and takes e_t u_t away again. Where the impulse would be
-    more than μ times the normal impulse, the sphere slides, and e_t plays no
-    part (Walton 1993). With e = e_t = 1 and enough friction the energy stays
-    as it was: this is Garwin's "ultraelastic rough ball" (1969). Cross (2002)
-    measured about 0.76 for a superball.
-    """
-    v, spin, n = (
-        vector("velocity", velocity),
-        vector("angular_velocity", angular_velocity),
-        vector("normal", normal),
-    )
-    arm = -np.asarray(radius, dtype=float)[..., None] * n
-    e_t = between("tangent_restitution", tangent_restitution, -1, 1)[..., None]
-    more = e_t * less_normal_part(v + np.cross(spin, arm), n)
-    after, spin_after = sphere_impact(
-        v + more, spin, n, radius, restitution, friction, inertia_share
-    )
-    return after - more, spin_after

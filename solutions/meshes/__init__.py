@@ -2,7 +2,7 @@
 
 from solutions.meshes.bracing import diagonals
 from solutions.meshes.conjugate_gradients import conjugate_gradient
-from solutions.meshes.contact import mesh_plane_contact, mesh_sphere_contact
+from solutions.meshes.contact import mesh_sphere_contact
 from solutions.meshes.grids import cloth, lattice
 from solutions.meshes.matrices import (
     edge_damping,
@@ -25,16 +25,12 @@ from solutions.meshes.stability import (
     zero_energy_modes,
 )
 from solutions.meshes.steps import (
-    amplitude_kept,
     implicit_mesh_step,
     mesh_step,
 )
-from solutions.meshes.surface import bend_edges, surface_edges
 
 __all__ = [
     "SpringMesh",
-    "amplitude_kept",
-    "bend_edges",
     "cloth",
     "conjugate_gradient",
     "diagonals",
@@ -49,7 +45,6 @@ __all__ = [
     "mesh_energy",
     "mesh_forces",
     "mesh_matrix",
-    "mesh_plane_contact",
     "mesh_product",
     "mesh_sphere_contact",
     "mesh_step",
@@ -57,7 +52,6 @@ __all__ = [
     "spring_mesh",
     "stable_timestep",
     "static_shape",
-    "surface_edges",
     "timestep_bound",
     "zero_energy_modes",
 ]

@@ -7,71 +7,13 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_unit_interval, not_negative, positive
-from solutions.detection import is_colliding, signed_distance
+from solutions.detection import is_colliding
 from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
 from solutions.meshes.springs import node_vectors
 from solutions.response import kinematic_response
 from solutions.scaling import length_of
 
 UP = (0.0, 0.0, 1.0)
-
-
-def mesh_plane_contact(
-    mesh: SpringMesh,
-    position: ArrayLike,
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    offset: ArrayLike,
-    restitution: ArrayLike = 0.0,
-    friction: ArrayLike = 0.0,
-) -> tuple[Array, Array]:
-    """State of the nodes after their contact with the plane n·p + d = 0.
-
-    A node behind the plane is moved back onto it, by the shortest way. If the
-    node approaches the plane, its normal velocity v_n becomes −e v_n, and
-    friction takes at most μ (1 + e) |v_n| from its speed along the plane.
-    Friction stops the sliding but never reverses it.
-
-    Parameters
-    ----------
-    position, velocity : (..., n, 3), m and m/s
-    normal : (3,), n, pointing out of the plane, of any length but zero
-        For a batch of meshes, one normal for each: (..., 1, 3).
-    offset : d, in m if the normal has length 1; for a batch (..., 1)
-    restitution : e, from 0 to 1
-    friction : μ, not negative
-
-    Returns
-    -------
-    position, velocity : (..., n, 3) each, m and m/s
-        A pinned node and a node on or in front of the plane keep both. A node
-        behind the plane that already moves away, or along it, keeps its
-        velocity.
-
-    Raises
-    ------
-    ValueError
-        If the normal is zero, e is not from 0 to 1, μ is negative, or an array
-        does not fit the mesh.
-
-    Notes
-    -----
-    The plane gives a node of mass m the normal impulse m (1 + e) |v_n|, which
-    turns v_n into −e v_n. Coulomb's law limits the impulse of friction to μ
-    times the normal impulse. Divided by the mass, that limit is
-
-        |Δv_t| ≤ μ (1 + e) |v_n|
-
-    so the mass drops out. The normal impulses on a node that rests on a
-    horizontal plane add up to its weight times the time, whatever the timestep
-    is. Friction therefore slows such a node at the rate μ g while it slides,
-    and this rate does not depend on the timestep.
-    """
-    p = node_vectors(mesh, "position", position)
-    separation = signed_distance(p, normal, offset)
-    n = np.asarray(normal, dtype=float)
-    n = n / length_of(n)[..., None]
-    return _answered(mesh, p, velocity, n, separation, restitution, friction)
 
 
 def mesh_sphere_contact(

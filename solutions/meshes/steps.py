@@ -78,7 +78,8 @@ def implicit_mesh_step(
     """State after a step of backward Euler (Baraff and Witkin 1998).
 
     Vibrations do not grow, however long dt is, but they lose amplitude in
-    every step, and high frequencies disappear at once (`amplitude_kept`).
+    every step, and high frequencies disappear at once: an angular frequency ω
+    keeps the share 1/√(1 + (ω dt)²) of its amplitude.
     Momentum is conserved to the tolerance; angular momentum is not.
 
     Parameters
@@ -151,36 +152,6 @@ def implicit_mesh_step(
         tolerance,
     )
     return p + step * v, v
-
-
-def amplitude_kept(frequency: ArrayLike, dt: ArrayLike) -> Array:
-    """Share of a vibration that one step of backward Euler keeps.
-
-    The vibration is undamped, and its frequency is ω.
-
-    Parameters
-    ----------
-    frequency : (...), ω, rad/s
-    dt : (...), s
-
-    Returns
-    -------
-    (...), from 0 to 1
-
-    Notes
-    -----
-    Write the vibration as a complex number z that turns at the rate dz/dt = iω
-    z. Backward Euler takes the rate at the end of the step, z' = z + iω dt z',
-    so z' = z/(1 − iω dt). The size of this factor is
-
-        1/√(1 + ω² dt²)
-    """
-    return np.asarray(
-        1
-        / np.hypot(
-            1, np.asarray(frequency, dtype=float) * np.asarray(dt, dtype=float)
-        )
-    )
 
 
 def _held(mesh: SpringMesh, vector: Array) -> Array:

@@ -8,7 +8,6 @@ inside.
 from solutions.polyhedra.convex import (
     convex_separation,
     inside_convex,
-    is_convex,
 )
 from solutions.polyhedra.defects import MeshReport, mesh_report
 from solutions.polyhedra.inside import (
@@ -37,7 +36,6 @@ __all__ = [
     "inside_by_parity",
     "inside_by_winding",
     "inside_convex",
-    "is_convex",
     "mesh_edges",
     "mesh_report",
     "orient2d",

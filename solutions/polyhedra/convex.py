@@ -135,38 +135,6 @@ def inside_convex(
     )
 
 
-def is_convex(vertices: ArrayLike, faces: ArrayLike) -> bool:
-    """Whether a closed surface bounds a convex solid, with its faces outwards.
-
-    It does if no vertex is in front of the plane of any face.
-
-    Parameters
-    ----------
-    vertices : (v, 3), m
-    faces : (f, 3), indices of the corners
-
-    Returns
-    -------
-    bool
-        A vertex that is in front of a face by at most 1e-9 of the solid's size
-        counts as rounding. The answer is False for a convex solid that is
-        turned inside out, and True for a mesh without faces. The answer holds
-        for a closed surface that goes round once. It says nothing about an
-        open surface, or about a star that winds twice.
-
-    Raises
-    ------
-    ValueError
-        If a face has no area, or vertices are not finite or do not fit the
-        faces.
-    """
-    v, f = checked_mesh(vertices, faces)
-    corners = v[np.unique(f)]
-    return _most_in_front(corners, *face_planes(v, f))[0] <= FLAT * size_of(
-        corners
-    )
-
-
 def _convex_planes(
     vertices: ArrayLike, faces: ArrayLike
 ) -> tuple[Array, Array]:
@@ -198,8 +166,4 @@ def _most_in_front(
     highest = np.array(
         [np.max(corners @ n + d) for n, d in zip(normal, offset, strict=True)]
     )
-    return (
-        (float(np.max(highest)), int(np.argmax(highest)))
-        if len(highest)
-        else (0.0, 0)
-    )
+    return float(np.max(highest)), int(np.argmax(highest))

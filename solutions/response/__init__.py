@@ -26,7 +26,6 @@ from solutions.response.penalty import (
     penalty_step_limit,
 )
 from solutions.response.penalty_impact import (
-    penalty_contact_time,
     penalty_damping,
     penalty_restitution,
 )
@@ -45,7 +44,6 @@ __all__ = [
     "hertz_restitution",
     "hertz_stiffness",
     "kinematic_response",
-    "penalty_contact_time",
     "penalty_damping",
     "penalty_force",
     "penalty_rest_depth",

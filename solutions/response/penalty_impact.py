@@ -1,4 +1,4 @@
-"""An impact on a penalty contact: how long it lasts and what speed it leaves (slide 8).
+"""An impact on a penalty contact: what speed it leaves (slide 8).
 
 Throughout this module ω = √(k/m) and ζ = c/(2 √(k m)), with stiffness k, damping c and
 mass m. The impact is computed without gravity, which is small beside the spring.
@@ -12,57 +12,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import in_unit_interval
 from solutions.response.penalty import frequency_and_ratio, mass_and_stiffness
-
-
-def penalty_contact_time(
-    mass: ArrayLike,
-    stiffness: ArrayLike,
-    damping: ArrayLike = 0.0,
-    adhesive: bool = False,
-) -> Array:
-    """How long an impact on a penalty contact lasts, at any speed (slide 8).
-
-    Parameters
-    ----------
-    mass : (...), kg, positive
-    stiffness : (...), k, N/m, positive
-    damping : (...), c, N s/m
-    adhesive : whether the contact may pull
-
-    Returns
-    -------
-    (...), s
-        Until the force is zero, or with adhesion until the body is back at the surface.
-        Infinity with adhesion and ζ ≥ 1, where the body creeps out for ever.
-
-    Raises
-    ------
-    ValueError
-        If m or k is not positive, c is negative, or one of them is not finite.
-
-    Notes
-    -----
-    The body starts at the surface, x = 0, with x′ = −v, and obeys
-    m x″ + c x′ + k x = 0. With s = √(1 − ζ²) its path is
-
-        x = −v/(ω s) exp(−ζ ω t) sin(ω s t)
-
-    With adhesion the contact ends where x is zero again:
-
-        t = π/(ω s)
-
-    Without adhesion it ends earlier, where the force k x + c x′ is zero. Put x and x′
-    into that condition and divide by cos(ω s t): tan(ω s t) = −2ζs/(1 − 2ζ²). The first
-    positive solution is
-
-        t = (π − atan2(2ζs, 1 − 2ζ²))/(ω s) = 2 arccos(ζ)/(ω s)
-
-    The second form follows with ζ = cos φ and s = sin φ, because 2ζs = sin 2φ and
-    1 − 2ζ² = −cos 2φ. Above ζ = 1 read arcosh(ζ)/√(ζ² − 1) for arccos(ζ)/s; at ζ = 1
-    both are 1.
-    """
-    omega, zeta = frequency_and_ratio(mass, stiffness, damping)
-    return np.asarray(_swept_angle(zeta, adhesive) / omega)
 
 
 def penalty_restitution(
@@ -93,8 +42,22 @@ def penalty_restitution(
 
     Notes
     -----
-    At the end of the contact, at the time t of `penalty_contact_time`, the velocity x′
-    of the body has the size v exp(−ζ ω t). So e = exp(−ζ ω t), and with s = √(1 − ζ²)
+    The body starts at the surface, x = 0, with x′ = −v, and obeys
+    m x″ + c x′ + k x = 0. With s = √(1 − ζ²) its path is
+
+        x = −v/(ω s) exp(−ζ ω t) sin(ω s t)
+
+    With adhesion the contact ends where x is zero again, at t = π/(ω s). Without
+    adhesion it ends earlier, where the force k x + c x′ is zero. Put x and x′ into that
+    condition and divide by cos(ω s t): tan(ω s t) = −2ζs/(1 − 2ζ²). The first positive
+    solution is
+
+        t = (π − atan2(2ζs, 1 − 2ζ²))/(ω s) = 2 arccos(ζ)/(ω s)
+
+    The second form follows with ζ = cos φ and s = sin φ, because 2ζs = sin 2φ and
+    1 − 2ζ² = −cos 2φ. Above ζ = 1 read arcosh(ζ)/√(ζ² − 1) for arccos(ζ)/s; at ζ = 1
+    both are 1. At this time the velocity x′ of the body has the size v exp(−ζ ω t), so
+    that
 
         e = exp[−(ζ/s)(π − atan2(2ζs, 1 − 2ζ²))] = exp(−2ζ arccos(ζ)/s)
         e = exp(−πζ/s)    with adhesion

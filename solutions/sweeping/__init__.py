@@ -6,7 +6,6 @@ advancement.
 """
 
 from solutions.sweeping.advancement import sweep_convex
-from solutions.sweeping.boxes import sweep_boxes, sweep_oriented_boxes
 from solutions.sweeping.features import edge_edge_impact, vertex_face_impact
 from solutions.sweeping.looking import advance, missed_share
 from solutions.sweeping.motion import motion_bound, relative_motion, rotated
@@ -16,7 +15,6 @@ from solutions.sweeping.rounds import UndecidedWarning
 from solutions.sweeping.spheres import (
     sweep_sphere_plane,
     sweep_sphere_sphere,
-    sweep_sphere_triangle,
 )
 
 __all__ = [
@@ -32,11 +30,8 @@ __all__ = [
     "relative_motion",
     "rotated",
     "separation_of_hulls",
-    "sweep_boxes",
     "sweep_convex",
-    "sweep_oriented_boxes",
     "sweep_sphere_plane",
     "sweep_sphere_sphere",
-    "sweep_sphere_triangle",
     "vertex_face_impact",
 ]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from decimal import Decimal, localcontext
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -20,7 +19,6 @@ from solutions.avoidance import (
     sphere_force,
     steer_around,
     tangent_point,
-    time_to_collision,
 )
 from solutions.detection import signed_distance
 
@@ -192,8 +190,6 @@ def test_only_a_field_without_a_range_moves_the_goal():
         (lambda: steer_around(UP, EAST, EAST, NORTH, -1.0), "radius must be positive, not -1"),
         (lambda: nearest_approach(UP, EAST, EAST, NORTH, -1.0), "radius_a must be zero or positive, not -1"),
         (lambda: nearest_approach(UP, EAST, EAST, NORTH, 1.0, -1.0), "radius_b must be zero or positive, not -1"),
-        (lambda: time_to_collision(UP, EAST, -2.0, EAST, NORTH, 1.0), "radius_a must be zero or positive, not -2"),
-        (lambda: time_to_collision(UP, EAST, 2.0, EAST, NORTH, -1.0), "radius_b must be zero or positive, not -1"),
     ],
 )
 def test_what_makes_no_sense_is_refused_by_name_and_value(call, complaint):
@@ -209,10 +205,6 @@ def test_what_makes_no_sense_is_refused_by_name_and_value(call, complaint):
         (lambda p, g, c: is_in_the_way(p, g, c, 1.0), ["position", "goal", "centre"]),
         (lambda p, v, g, c: steer_around(p, v, g, c, 1.0), ["position", "velocity", "goal", "centre"]),
         (nearest_approach, ["position_a", "velocity_a", "position_b", "velocity_b"]),
-        (
-            lambda xa, va, xb, vb: time_to_collision(xa, va, 1.0, xb, vb, 1.0),
-            ["position_a", "velocity_a", "position_b", "velocity_b"],
-        ),
     ],
 )
 def test_vectors_without_three_numbers_are_refused_by_name(call, names):
@@ -435,66 +427,8 @@ def test_bodies_that_part_or_move_together_are_nearest_now():
 
 
 @given(POINT, POINT, POINT, POINT, RADIUS, RADIUS)
-def test_exchanging_two_bodies_changes_no_time_between_them(xa, va, xb, vb, ra, rb):
+def test_exchanging_two_bodies_changes_no_nearest_approach(xa, va, xb, vb, ra, rb):
     assert nearest_approach(xa, va, xb, vb, ra, rb)[0] == nearest_approach(xb, vb, xa, va, rb, ra)[0]
-    assert time_to_collision(xa, va, ra, xb, vb, rb) == time_to_collision(xb, vb, rb, xa, va, ra)
-
-
-@pytest.mark.statement(1, oracle="brentq on the distance between the surfaces")
-@given(POINT, POINT, POINT, POINT, RADIUS, RADIUS)
-def test_spheres_collide_when_their_distance_is_the_sum_of_their_radii(xa, va, xb, vb, ra, rb):
-    brentq = oracle("scipy.optimize").brentq
-    time = float(time_to_collision(xa, va, ra, xb, vb, rb))
-    nearest, separation = (float(x) for x in nearest_approach(xa, va, xb, vb, ra, rb))
-
-    def gap(t):
-        return np.linalg.norm(xa - xb + (va - vb) * t) - ra - rb
-
-    if gap(0) < 0:
-        assert time == 0
-        return
-    assume(abs(separation) > 1e-9)  # at a grazing meeting rounding decides
-    if separation > 0:
-        assert time == math.inf
-    else:
-        expected = brentq(gap, 0, nearest, xtol=1e-14, rtol=1e-15)
-        # 1e-6: near a grazing meeting the gap is flat in time, and its rounding, 1e-13 m, moves its root by a root
-        assert time == pytest.approx(expected, abs=1e-12 * (1 + expected), rel=1e-6)
-
-
-def test_spheres_that_overlap_or_touch_and_approach_collide_now():
-    assert time_to_collision(np.zeros(3), -EAST, 1.0, EAST, EAST, 1.0) == 0  # they overlap, although they part
-    assert time_to_collision(np.zeros(3), EAST, 1.0, 2 * EAST, -EAST, 1.0) == 0
-    assert time_to_collision(EAST, NORTH, 0.5, EAST, NORTH, 0.0) == 0
-
-
-def test_spheres_that_touch_and_do_not_approach_never_meet():
-    touching = (np.zeros(3), 1.0, 2 * EAST, 1.0)
-    for velocity in (-EAST, UP, np.zeros(3)):
-        assert time_to_collision(touching[0], velocity, touching[1], touching[2], np.zeros(3), touching[3]) == math.inf
-    assert time_to_collision(np.zeros(3), EAST, 1.0, 5 * EAST, EAST, 1.0) == math.inf
-
-
-def test_spheres_that_just_graze_meet():
-    def meeting(aside):
-        return time_to_collision(np.zeros(3), EAST, 1.0, 5 * EAST + aside * UP, np.zeros(3), 1.0)
-
-    assert meeting(2.0) == pytest.approx(5.0, rel=1e-15)
-    assert meeting(np.nextafter(2.0, 3.0)) == math.inf
-
-
-def test_the_time_to_collision_keeps_its_digits_over_a_long_approach():
-    # Head-on from 1e8 m with radii of 1 mm: x² − R² and (x·u)² − u²(x² − R²) both cancel in a plain formula.
-    distance, speed, reach = 1e8, 3.0, 2e-3
-    exact = (Fraction(distance) - Fraction(1e-3) * 2) / Fraction(speed)
-    assert time_to_collision(np.zeros(3), speed * EAST, 1e-3, distance * EAST, np.zeros(3), 1e-3) == pytest.approx(
-        float(exact), rel=4e-16
-    )
-    aside = reach / 2
-    exact = (distance - math.sqrt(3) / 2 * reach) / speed  # enters at an angle of 30° from the line of centres
-    assert time_to_collision(
-        np.zeros(3), speed * EAST, 1e-3, (distance, aside, 0.0), np.zeros(3), 1e-3
-    ) == pytest.approx(exact, rel=4e-16)
 
 
 def test_a_batch_of_pairs_matches_single_results_and_keeps_its_inputs():
@@ -506,7 +440,6 @@ def test_a_batch_of_pairs_matches_single_results_and_keeps_its_inputs():
         tangent_point(arrays[0], arrays[1], arrays[2], radius),
         steer_around(*arrays, radius),
         sphere_force(arrays[0], arrays[1], radius, 2.0, 1.0),
-        time_to_collision(arrays[0], arrays[1], radius, arrays[2], arrays[3], 0.1),
         nearest_approach(*arrays, radius)[1],
     ]
     assert np.array_equal(arrays, before)
@@ -517,7 +450,6 @@ def test_a_batch_of_pairs_matches_single_results_and_keeps_its_inputs():
             tangent_point(a, b, c, r),
             steer_around(a, b, c, d, r),
             sphere_force(a, b, r, 2.0, 1.0),
-            time_to_collision(a, b, r, c, d, 0.1),
             nearest_approach(a, b, c, d, r)[1],
         ]
         for many, one in zip(together, alone, strict=True):

@@ -10,7 +10,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from oracles import oracle
 
-from solutions.avoidance import crowd_step, orca_half_plane, permitted_velocity, time_to_collision
+from solutions.avoidance import crowd_step, orca_half_plane, permitted_velocity
+from solutions.sweeping import sweep_sphere_sphere
 
 RNG_SEED = 1
 SMALL = st.floats(-3, 3).map(lambda x: round(x, 6))
@@ -25,10 +26,10 @@ def turned(vectors, angle):
 
 
 def meets_within(towards, reach, u, horizon):
-    """Whether two discs meet within the horizon: by `time_to_collision`, which has been judged elsewhere. u: (…, 2)."""
+    """Whether two discs meet within the horizon: by `sweep_sphere_sphere`, judged elsewhere. u: (…, 2)."""
     origin, flat = np.zeros(3), np.zeros((*np.shape(u)[:-1], 1))
-    time = time_to_collision(origin, np.append(u, flat, axis=-1), reach, np.append(towards, 0.0), origin, 0.0)
-    return time <= horizon
+    disc = origin, np.append(u, flat, axis=-1), reach
+    return np.isfinite(sweep_sphere_sphere(*disc, np.append(towards, 0.0), origin, 0.0, horizon))
 
 
 # The half-plane

@@ -5,12 +5,12 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 from oracles import oracle
 
 from reference.catalogue.scenarios import tunnelling
-from solutions.detection import is_colliding, missing_probability, overlap_interval, side_of_plane, substeps_needed
+from solutions.detection import is_colliding, missing_probability, overlap_interval, side_of_plane
 
 EPSILON = np.finfo(float).eps
 DISTANCE, VELOCITY, DURATION = st.floats(-10, 10), st.floats(-50, 50), st.floats(0, 2)
@@ -194,27 +194,6 @@ def test_pushing_out_the_nearest_way_stops_fewer_balls_than_are_seen():
     assert turned_back == pytest.approx(tunnelling.passing_share(speed, dt), abs=1e-15)
 
 
-@pytest.mark.statement(9, oracle="positions at the ends of the parts, over many phases")
-@given(SPEED, st.floats(1e-3, 0.5), SIZE, st.floats(1e-3, 1))
-def test_the_substeps_needed_are_enough_and_one_less_is_not(speed, thickness, radius, dt):
-    parts = int(substeps_needed(speed, thickness, radius, dt))
-    assume(parts < 500)
-    caught, way = thickness + 2 * radius, speed * dt
-    assert way / parts < caught * (1 + 4 * EPSILON)
-    assert missing_probability(speed, thickness, radius, dt / parts) <= 4 * EPSILON  # rounding where it just suffices
-    if parts > 1:
-        assert way / (parts - 1) >= caught * (1 - 4 * EPSILON)
-
-
-def test_a_step_exactly_as_long_as_the_way_of_overlap_is_cut_in_two():
-    # Else a ball might touch the front face at one look and the back face at the next, and overlap at neither
-    assert substeps_needed(4.0, 0.25, 0.125, 0.125) == 2
-    assert substeps_needed(4.0, 0.25, 0.125, 0.25) == 3
-    assert substeps_needed(np.nextafter(4.0, 0), 0.25, 0.125, 0.125) == 1
-    assert substeps_needed([0.0, 1.0, 20.0, 20.0], [0.01, 0.01, 0.01, np.inf], 0.02, 0.01).tolist() == [1, 1, 5, 1]
-    assert substeps_needed(20.0, 0.01, 0.02, 0.0) == 1
-
-
 # What is refused
 
 
@@ -236,13 +215,6 @@ def test_a_step_exactly_as_long_as_the_way_of_overlap_is_cut_in_two():
         (lambda: missing_probability(1.0, 1.0, -1.0, 1.0), "radius must be zero or positive, not -1"),
         (lambda: missing_probability(1.0, 1.0, 1.0, -1.0), "dt must be zero or positive, not -1"),
         (lambda: missing_probability(1.0, 1.0, 1.0, math.inf), "dt must be finite, not inf"),
-        (lambda: substeps_needed(1.0, 0.0, 0.0, 1.0), r"thickness \+ 2 radius must be positive, not 0"),
-        (lambda: substeps_needed(-1.0, 1.0, 1.0, 1.0), "speed must be zero or positive, not -1"),
-        (lambda: substeps_needed(math.inf, 1.0, 1.0, 1.0), "speed must be finite, not inf"),
-        (lambda: substeps_needed(1.0, -1.0, 1.0, 1.0), "thickness must be zero or positive, not -1"),
-        (lambda: substeps_needed(1.0, 1.0, -1.0, 1.0), "radius must be zero or positive, not -1"),
-        (lambda: substeps_needed(1.0, 1.0, 1.0, -1.0), "dt must be zero or positive, not -1"),
-        (lambda: substeps_needed(1.0, 1.0, 1.0, math.inf), "dt must be finite, not inf"),
     ],
 )
 def test_what_makes_no_sense_is_refused_by_name_and_value(call, message):
@@ -257,12 +229,11 @@ def test_many_walls_at_once_are_the_same_as_one_after_another():
     rng = np.random.default_rng(5)
     x, u = rng.normal(size=(2, 4, 5))
     r, w, dt, v = rng.uniform(0.01, 1, size=(4, 4, 5))
-    together = (*overlap_interval(x, u, r, w, dt), missing_probability(v, w, r, dt), substeps_needed(v, w, r, dt))
-    together = (*together, side_of_plane(x, r))
-    assert [values.shape for values in together] == [(4, 5)] * 5
+    together = (*overlap_interval(x, u, r, w, dt), missing_probability(v, w, r, dt), side_of_plane(x, r))
+    assert [values.shape for values in together] == [(4, 5)] * 4
     for at in np.ndindex(4, 5):
         one = (*overlap_interval(x[at], u[at], r[at], w[at], dt[at]), missing_probability(v[at], w[at], r[at], dt[at]))
-        one = (*one, substeps_needed(v[at], w[at], r[at], dt[at]), side_of_plane(x[at], r[at]))
+        one = (*one, side_of_plane(x[at], r[at]))
         assert [values[at] for values in together] == list(one)
 
 
@@ -272,6 +243,5 @@ def test_looking_at_a_wall_changes_none_of_the_inputs():
     arrays.flags.writeable = False  # writing to one would raise
     overlap_interval(*arrays)
     missing_probability(*arrays[1:])
-    substeps_needed(*arrays[1:])
     side_of_plane(*arrays[:2])
     assert np.array_equal(arrays, kept)

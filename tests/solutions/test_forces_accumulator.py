@@ -13,7 +13,6 @@ from solutions.forces import (
     damper_force,
     evaluate_forces,
     mutual_gravity,
-    power_by_tag,
     runge_kutta_4,
     semi_implicit_euler,
     spring_energy,
@@ -79,9 +78,8 @@ def test_the_sum_of_the_forces_is_what_accelerates_each_body():
     assert acceleration_of(ALL, MASS)(p, v) == pytest.approx(total / [[1], [2]], abs=1e-14)
 
 
-def test_without_forces_nothing_accelerates_and_no_power_flows():
+def test_without_forces_nothing_accelerates():
     assert acceleration_of([], MASS)(*START).tolist() == np.zeros((2, 3)).tolist()
-    assert power_by_tag([], *START) == {"position": 0, "velocity": 0, "interaction": 0}
 
 
 def test_an_infinite_mass_is_not_accelerated_and_has_no_energy():
@@ -92,26 +90,6 @@ def test_an_infinite_mass_is_not_accelerated_and_has_no_energy():
     audit = audit_energy([SPRING], held, p, v, 1e-2)
     assert np.array_equal(p[-1, 0], p[0, 0])
     assert audit.kinetic[0] == pytest.approx(0.25 + 4)
-
-
-@pytest.mark.statement(30, oracle="power of each force computed alone")
-def test_every_tag_has_the_power_of_its_forces():
-    p, v = START
-    powers = power_by_tag(ALL, p, v)
-    weight = 2.0 * -19.62
-    assert powers["position"] == pytest.approx(weight + 0.0, abs=1e-13)  # the spring lies across both velocities
-    drag = -0.1 * 6 * math.pi * 0.1 * sum(float(u @ (u - WIND)) for u in v)
-    assert powers["velocity"] == pytest.approx(drag, rel=1e-13, abs=0)
-    assert powers["interaction"] == 0
-
-
-def test_a_damper_and_still_air_only_take_energy():
-    still = Force("air", "velocity", lambda p, v: stokes_drag(v, np.zeros(3), 0.1, 0.05))
-    rng = np.random.default_rng(1)
-    p, v = rng.normal(size=(2, 50, 2, 3))
-    powers = power_by_tag([DAMPER, still], p, v)
-    assert powers["velocity"].shape == (50,)
-    assert np.all(powers["velocity"] < 0)
 
 
 @pytest.mark.statement(30, oracle="kinetic energy itself, at two steps")
@@ -172,9 +150,6 @@ def test_friction_is_an_interaction_whose_work_is_mu_n_over_the_way():
         -0.3 * 9.81 * p[-1, 0, 0], rel=1e-12, abs=0
     )  # constant: no error
     assert audit.residual() == pytest.approx(np.zeros(501), abs=1e-11)
-    assert power_by_tag([Force("friction", "interaction", rub)], p[0], v[0])["interaction"] == pytest.approx(
-        -0.9 * 9.81
-    )
 
 
 def test_an_impulse_is_the_work_of_no_force_and_appears_in_the_residual():

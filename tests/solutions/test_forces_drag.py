@@ -22,7 +22,6 @@ from solutions.forces import (
     reynolds_number,
     sample_field,
     sphere_shape_factor,
-    spheroid_drag,
     spheroid_shape_factors,
     stokes_drag,
     terminal_velocity,
@@ -38,7 +37,6 @@ COMPONENT = st.floats(-10, 10).map(lambda value: round(value, 6))
 VECTOR = st.tuples(COMPONENT, COMPONENT, COMPONENT).map(np.array)
 POSITIVE = st.floats(1e-3, 1e3)
 RATIO = st.floats(-3, 3).map(lambda exponent: 10**exponent)
-AXIS = VECTOR.filter(lambda axis: np.linalg.norm(axis) > 1e-3).map(lambda axis: axis / np.linalg.norm(axis))
 
 
 # Stokes' drag
@@ -339,34 +337,6 @@ def test_long_and_flat_spheroids_and_spheres_can_come_in_one_batch():
         assert np.array_equal(spheroid_shape_factors(axis, 1.0), factors)
 
 
-@given(VECTOR, VECTOR, AXIS, RATIO)
-def test_drag_along_and_across_the_axis_has_its_own_factor(v, u, axis, ratio):
-    factors = spheroid_shape_factors(ratio, 1.0)
-    force = spheroid_drag(v, u, 2.0, factors, axis)
-    w = v - u
-    size = 2 * factors.max() * 40 * 1e-15  # some ten roundings of η K w
-    assert force @ axis == pytest.approx(-2 * factors[0] * (w @ axis), abs=10 * size)
-    sideways = w - (w @ axis) * axis
-    assert force - (force @ axis) * axis == pytest.approx(-2 * factors[1] * sideways, abs=10 * size)
-    assert np.array_equal(spheroid_drag(v, u, 2.0, factors, -axis), force)
-
-
-@given(VECTOR, AXIS)
-def test_the_drag_of_a_spheroid_with_equal_axes_is_that_of_a_sphere(v, axis):
-    drag = spheroid_drag(v, STILL, 2.0, spheroid_shape_factors(0.5, 0.5), axis)
-    assert drag == pytest.approx(stokes_drag(v, STILL, 2.0, 0.5), abs=1e-12)  # up to 600 N
-
-
-def test_a_slanting_rod_drifts_sideways_as_it_sinks():
-    axis = np.array([math.sin(0.7), 0.0, math.cos(0.7)])
-    factors = spheroid_shape_factors(10.0, 1.0)
-    weight = np.array([0.0, 0.0, -1.0])
-    mobility = np.outer(axis, axis) / factors[0] + (np.eye(3) - np.outer(axis, axis)) / factors[1]
-    v = mobility @ weight
-    assert spheroid_drag(v, STILL, 1.0, factors, axis) == pytest.approx(-weight, abs=1e-14)
-    assert v[0] < 0  # it glides the way its lower end points
-
-
 # Wind
 
 
@@ -432,9 +402,6 @@ def test_with_the_drag_coefficient_24_over_re_the_wind_force_is_stokes(speed):
         (lambda: stokes_drag(STILL, (1, 2), 1.0, 1.0), "fluid_velocity must have shape"),
         (lambda: stokes_drag(STILL, STILL, -1.0, 1.0), "viscosity must be zero or positive, not -1"),
         (lambda: stokes_drag(STILL, STILL, 1.0, -1.0), "radius must be"),
-        (lambda: spheroid_drag(STILL, STILL, 1.0, (1, 1), (0, 0, 2.0)), "axis must have length 1, not 2"),
-        (lambda: spheroid_drag(STILL, STILL, 1.0, (1, -1), (0, 0, 1.0)), "shape_factors must be"),
-        (lambda: spheroid_drag(STILL, STILL, -1.0, (1, 1), (0, 0, 1.0)), "viscosity must be"),
         (lambda: buoyancy(-1.0, 1.0, DOWN), "volume must be"),
         (lambda: buoyancy(1.0, -1.0, DOWN), "fluid_density must be"),
         (lambda: relaxation_time(0.0, 1.0, 1.0), "mass must be positive"),
@@ -479,13 +446,11 @@ def test_many_bodies_in_a_fluid_at_once_are_as_one_after_another():
     rng = np.random.default_rng(RNG_SEED)
     v, u, gravity = rng.normal(size=(3, 4, 5, 3))
     one, two, three, four = rng.uniform(0.5, 1, size=(4, 4, 5))
-    axis = gravity / np.linalg.norm(gravity, axis=-1, keepdims=True)
-    pair, field = rng.uniform(1, 2, size=(4, 5, 2)), rng.normal(size=(3, 3, 3, 3))
-    for array in (v, u, gravity, one, two, three, four, axis, pair, field):
+    field = rng.normal(size=(3, 3, 3, 3))
+    for array in (v, u, gravity, one, two, three, four, field):
         array.flags.writeable = False  # writing to one would raise
     calls = [
         (stokes_drag, (v, u, one, two)),
-        (spheroid_drag, (v, u, one, pair, axis)),
         (buoyancy, (one, two, gravity)),
         (relaxation_time, (one, two, three)),
         (drag_motion, (v, u, gravity, one, two)),

@@ -13,7 +13,6 @@ from solutions.forces import (
     semi_implicit_euler,
     spring_damper_force,
     spring_step_limit,
-    stable_step,
     stokes_drag,
     total_force,
 )
@@ -87,16 +86,6 @@ def test_springs_must_join_two_balls_of_the_scene(ends):
 
 
 # The longest steps of a damped spring
-
-
-@pytest.mark.statement(29, oracle="stable_step, in units of the frequency")
-@given(RATE, RATE, st.floats(0, 1e3))
-def test_the_limits_of_both_eulers_are_those_of_the_frequency_and_the_damping_ratio(k, m, ratio):
-    frequency = math.sqrt(k / m)
-    explicit, semi_implicit = spring_step_limit(k, m, 2 * ratio * math.sqrt(k * m))
-    # Near ζ = 1 the root of ζ² − 1 makes 1e-8 of a rounding.
-    assert explicit == pytest.approx(float(stable_step("explicit_euler", frequency, ratio)), rel=1e-7, abs=1e-300)
-    assert semi_implicit == pytest.approx(float(stable_step("semi_implicit_euler", frequency, ratio)), rel=1e-12, abs=0)
 
 
 @pytest.mark.parametrize("damping", [3.0, 6.0, 40.0])

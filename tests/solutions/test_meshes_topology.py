@@ -9,19 +9,14 @@ from hypothesis import strategies as st
 
 from solutions.meshes import (
     SpringMesh,
-    bend_edges,
     cloth,
     edge_strain,
     lattice,
     mesh_energy,
     pin,
     spring_mesh,
-    surface_edges,
 )
 
-TETRAHEDRON = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
-OCTAHEDRON = [(a, b, c) for a in (0, 1) for b in (2, 3) for c in (4, 5)]  # 0–1, 2–3 and 4–5 are opposite
-STRIP = [(0, 1, 2), (2, 1, 3)]  # two triangles that share the edge 1–2
 SIZE = st.integers(1, 5)
 
 
@@ -103,64 +98,6 @@ def test_a_single_node_is_a_cloth_without_springs():
 def test_an_impossible_cloth_is_refused(make, arguments, complaint):
     with pytest.raises(ValueError, match=complaint):
         make(*arguments)
-
-
-# Any surface of triangles
-
-
-def test_a_closed_surface_has_the_edges_that_eulers_formula_counts():
-    for triangles, vertices in ((TETRAHEDRON, 4), (OCTAHEDRON, 6)):
-        assert vertices - len(surface_edges(triangles)) + len(triangles) == 2
-
-
-def test_two_triangles_bend_across_the_edge_they_share():
-    assert surface_edges(STRIP).tolist() == [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]
-    assert bend_edges(STRIP).tolist() == [[0, 3]]
-    assert bend_edges(STRIP[:1]).tolist() == []
-
-
-def test_bend_springs_that_would_double_another_are_left_out():
-    assert bend_edges(TETRAHEDRON).tolist() == []  # every pair is an edge
-    assert bend_edges(OCTAHEDRON).tolist() == [[0, 1], [2, 3], [4, 5]]  # each faces across four edges
-    assert bend_edges([(0, 1, 2), (0, 2, 1)]).tolist() == []  # two sides of one triangle
-
-
-def test_a_triangulated_cloth_has_the_springs_along_its_sides():
-    rows, columns = 4, 5
-    node = np.arange(rows * columns).reshape(rows, columns)
-    a, b, c, d = (corner.ravel() for corner in (node[:-1, :-1], node[:-1, 1:], node[1:, :-1], node[1:, 1:]))
-    triangles = np.concatenate([np.stack([a, b, c], -1), np.stack([b, d, c], -1)])
-    structural = as_pairs(cloth(rows, columns, 1.0, {"structural"})[1])
-    falling = as_pairs(np.stack([b, c], -1))
-    rising = as_pairs(np.stack([a, d], -1))
-    assert as_pairs(surface_edges(triangles)) == sorted(structural + falling)
-    # Across the diagonal of a square: the other diagonal. Across its sides: a knight's move of one row and two columns.
-    assert set(rising) <= set(as_pairs(bend_edges(triangles)))
-    interior = 3 * len(triangles) - len(surface_edges(triangles))  # sides counted twice
-    assert len(bend_edges(triangles)) == interior
-
-
-@given(st.permutations(range(6)), st.permutations(range(8)), st.lists(st.integers(0, 2), min_size=8, max_size=8))
-def test_renumbering_nodes_or_reordering_triangles_changes_no_edges(nodes, order, turns):
-    triangles = [np.roll(OCTAHEDRON[k], turn).tolist() for k, turn in zip(order, turns, strict=True)]
-    renamed = np.array(nodes)[np.array(triangles)]
-    for found in (surface_edges, bend_edges):
-        assert as_pairs(found(renamed)) == as_pairs(np.array(nodes)[found(OCTAHEDRON)])
-
-
-@pytest.mark.parametrize(
-    ("triangles", "complaint"),
-    [
-        ([(0, 1)], r"\(triangles, 3\), not int64 of \(1, 2\)"),
-        ([(0.0, 1.0, 2.0)], "integers"),
-        ([(0, 1, -2)], "from 0 on, not -2"),
-        ([(0, 1, 2), (3, 4, 3)], r"three different corners, not \[3, 4, 3\]"),
-        ([(0, 1, 2), (0, 1, 3), (1, 0, 4)], r"more than two share the edge \[0, 1\]"),
-    ],
-)
-def test_an_impossible_surface_is_refused(triangles, complaint):
-    with pytest.raises(ValueError, match=complaint):
-        bend_edges(triangles)
 
 
 # The mesh

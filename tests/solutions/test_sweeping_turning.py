@@ -17,13 +17,12 @@ from solutions.sweeping import (
     features,
     motion_bound,
     nearest_on_triangle,
+    ray_box,
+    ray_capsule,
     rotated,
     separation_of_hulls,
-    sweep_boxes,
     sweep_convex,
-    sweep_oriented_boxes,
     sweep_sphere_sphere,
-    sweep_sphere_triangle,
     vertex_face_impact,
 )
 
@@ -512,8 +511,21 @@ def test_turning_boxes_are_apart_until_the_time_given_and_touch_then():
             assert gap(time) <= TOLERANCE + 1e-5
 
 
-@pytest.mark.statement(10, oracle="the ray and the separating axes, which know no turning")
-def test_bodies_that_do_not_turn_meet_when_rays_and_axes_say():
+def in_step(x, v, half):
+    """When a ray enters a box within a step of 1 s; infinity where it does not."""
+    entry, _ = ray_box(x, v, half)
+    return np.where(entry <= 1, entry, math.inf)
+
+
+def test_two_cubes_meet_edge_over_edge():
+    # Turned by 45°, about x and about y: an edge along x of one over an edge along y of the other
+    above, below = (rotated(CUBE, np.pi / 4 * axis) for axis in np.eye(3)[:2])
+    entry = sweep_convex(above, [0, 0, 3], [0, 0, -1], STILL, 0.0, below, STILL, STILL, STILL, 0.0, 5.0)
+    assert entry == pytest.approx(3 - math.sqrt(2), abs=TOLERANCE)
+
+
+@pytest.mark.statement(10, oracle="the rays, which know no turning")
+def test_bodies_that_do_not_turn_meet_when_rays_say():
     rng = np.random.default_rng(8)
     x = rng.uniform(-3, 3, (60, 3))
     v = rng.uniform(-1.5, 1.5, (60, 3)) - x
@@ -521,11 +533,11 @@ def test_bodies_that_do_not_turn_meet_when_rays_and_axes_say():
     true = sweep_sphere_sphere(x, v, 0.4, STILL, STILL, 0.3, 1.0)
     assert np.all(balls <= true)
     turn = rotated(np.eye(3), rng.normal(size=(60, 1, 3))).mT
-    boxes = sweep_convex((turn @ CUBE.T).mT, x, v, STILL, 0.0, CUBE, STILL, STILL, STILL, 0.0, 1.0)
-    half = np.full(3, 0.5)
-    axes, _ = sweep_oriented_boxes(x, v, turn, half, np.eye(3), half, 1.0)
-    assert np.all(boxes <= axes + 1e-14)  # the two round apart where they overlap from the start
-    for ours, theirs in ((balls, true), (boxes, axes)):
+    cubes = (turn @ CUBE.T).mT
+    boxes = sweep_convex(cubes, x, v, STILL, 0.0, cubes, STILL, STILL, STILL, 0.0, 1.0)
+    slabs = in_step(*(np.vecmat(each, turn) for each in (x, v)), np.ones(3))  # in their own axes
+    assert np.all(boxes <= slabs + 1e-14)  # the two round apart where they overlap from the start
+    for ours, theirs in ((balls, true), (boxes, slabs)):
         assert np.array_equal(np.isfinite(ours), np.isfinite(theirs))
         hit = np.isfinite(ours)
         assert 10 < hit.sum() < 60
@@ -537,11 +549,12 @@ def test_bodies_that_do_not_turn_meet_when_rays_and_axes_say():
 def test_flat_boxes_face_to_face_are_neither_missed_nor_late():
     rng = np.random.default_rng(10)
     x, v, half_a, half_b = (rng.integers(low, high, (400, 3)) / 4 for low, high in ((-12, 13),) * 2 + ((0, 5),) * 2)
-    true, _ = sweep_boxes(x, v, half_a, STILL, STILL, half_b, 1.0)  # sheets, segments and points among them
+    true = in_step(x, v, half_a + half_b)  # sheets, segments and points among them
     boxes = sweep_convex(2 * CUBE * half_a[:, None], x, v, STILL, 0, 2 * CUBE * half_b[:, None], *[STILL] * 3, 0, 1.0)
     corners, u = rng.uniform(-1, 1, (400, 3, 3)), rng.uniform(-1, 1, (400, 3)) - x
-    rays = sweep_sphere_triangle(x, u, 0.3, corners, 1.0)
-    balls = sweep_convex([STILL], x, u, STILL, 0.3, corners, STILL, STILL, STILL, 0.0, 1.0)
+    rays = ray_capsule(x, u, corners[:, 0], corners[:, 1], 0.3)
+    rays = np.where(rays <= 1, rays, math.inf)
+    balls = sweep_convex([STILL], x, u, STILL, 0.3, corners[:, :2], STILL, STILL, STILL, 0.0, 1.0)
     for ours, expected in ((boxes, true), (balls, rays)):
         hit = np.isfinite(expected)
         assert hit.sum() > 30
@@ -560,9 +573,7 @@ def test_bodies_that_overlap_part_or_stand_still_have_the_right_time():
     assert sweep([2, 0, 0], [0, 0, 0], [0, 0, 5.0]) == math.inf  # spins on the spot, √½ + ½ < 2
     assert sweep([2, 0, 0], [-2, 0, 0], dt=0.0) == math.inf
     assert sweep([2, 0, 0], [0, 3, 0]) == math.inf
-    assert sweep([2, 0, 0], [-2, 0, 0]) == pytest.approx(
-        sweep_boxes([2, 0, 0], [-2, 0, 0], [0.5] * 3, STILL, STILL, [0.5] * 3, 1.0)[0], abs=TOLERANCE
-    )
+    assert sweep([2, 0, 0], [-2, 0, 0]) == pytest.approx(0.5, abs=TOLERANCE)
 
 
 def test_bodies_within_the_tolerance_at_the_end_of_the_step_touch():
