@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space, not_negative
-from solutions.scaling import in_moderate_units, length_of
 
 
 def nearest_approach(
@@ -57,14 +56,13 @@ def nearest_approach(
     """
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
-    way, _, speed = in_moderate_units(u)
-    closing, squared = -np.vecdot(x, way), np.vecdot(way, way)
+    closing, squared = -np.vecdot(x, u), np.vecdot(u, u)
     time = np.where(
         squared > 0,
-        np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed,
+        np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0),
         0.0,
     )
-    distance = length_of(x + u * time[..., None])
+    distance = np.linalg.norm(x + u * time[..., None], axis=-1)
     return time, np.asarray(
         distance
         - not_negative("radius_a", radius_a)

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans
 from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.checks import not_negative, positive
-from solutions.scaling import length_of
 
 
 def orca_half_plane(
@@ -97,7 +96,7 @@ def orca_half_plane(
         "radius_b", radius_b
     )
     capped, depth, outwards = cap_of_cone(u, towards, reach, horizon, dt)
-    distance = length_of(towards)
+    distance = np.linalg.norm(towards, axis=-1)
     ahead = towards / np.where(distance > 0, distance, 1.0)[..., None]
     left = turned_left(ahead)
     sine = np.where(capped, 0.0, reach) / np.where(distance > 0, distance, 1.0)
@@ -141,12 +140,12 @@ def cap_of_cone(
         centres of A and B coincide.
     """
     u, x = np.asarray(relative_velocity), np.asarray(towards)
-    distance, radius = length_of(x), np.asarray(reach, dtype=float)
+    distance, radius = np.linalg.norm(x, axis=-1), np.asarray(reach, float)
     overlaps = distance <= radius
     time = np.where(overlaps, positive("dt", dt), positive("horizon", horizon))
     ahead = x / np.where(distance > 0, distance, 1.0)[..., None]
     from_centre = u - x / time[..., None]
-    length = length_of(from_centre)
+    length = np.linalg.norm(from_centre, axis=-1)
     sine = np.minimum(radius / np.where(distance > 0, distance, 1.0), 1.0)
     before = -np.vecdot(from_centre, ahead)
     at_centre = np.where(

@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative
-from solutions.scaling import length_of
 
 
 def in_plane(name: str, value: ArrayLike) -> Array:
@@ -24,7 +23,7 @@ def unit_or_zero(value: ArrayLike) -> Array:
     A vector that is zero has no direction, and stays zero.
     """
     v = np.asarray(value, dtype=float)
-    length = length_of(v)[..., None]
+    length = np.linalg.norm(v, axis=-1)[..., None]
     return np.asarray(v / np.where(length > 0, length, 1.0))
 
 
@@ -50,7 +49,7 @@ def limited(value: ArrayLike, largest: ArrayLike) -> Array:
         np.asarray(value, dtype=float),
         not_negative("largest", largest),
     )
-    length = length_of(v)
+    length = np.linalg.norm(v, axis=-1)
     too_long = length > largest
     share = np.where(too_long, largest, 1.0) / np.where(too_long, length, 1.0)
     return np.asarray(v * share[..., None])

@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.avoidance.directions import unit_or_zero
 from solutions.checks import in_space, not_negative, positive, unit
-from solutions.scaling import length_of
 
 
 def repelling_force(
@@ -99,7 +98,7 @@ def sphere_force(
     and the normal is the direction of p − c.
     """
     away = in_space("position", position) - in_space("centre", centre)
-    separation = length_of(away) - not_negative("radius", radius)
+    separation = np.linalg.norm(away, axis=-1) - not_negative("radius", radius)
     return _field(separation, unit_or_zero(away), strength, reach)
 
 

@@ -22,7 +22,6 @@ from solutions.avoidance.directions import (
     unit_or_zero,
 )
 from solutions.checks import UNIT_TOLERANCE, not_negative
-from solutions.scaling import root_of_difference
 
 PARALLEL = 1e-12
 """Sine of the angle below which two borders count as parallel.
@@ -169,9 +168,9 @@ def _stretch(
     parallel = np.abs(slope) <= PARALLEL
     place = asked / np.where(parallel, 1.0, slope)
     own = bound[:, k]
-    room = root_of_difference(np.zeros(()), own - speed, own + speed)
-    # The room is √(speed² − b²). Beyond the speed limit there is none: NaN.
-    half = np.fmax(room, -np.inf)
+    # The room is √(speed² − b²). Beyond the speed limit there is none.
+    squared = (speed - own) * (speed + own)
+    half = np.where(squared >= 0, np.sqrt(np.maximum(squared, 0.0)), -np.inf)
     low = np.max(place, axis=-1, where=slope > PARALLEL, initial=-np.inf)
     high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
     # A parallel border counts only if it lies beyond this one by more than

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, positive
-from solutions.scaling import power_of_two
 
 EPSILON = float(np.finfo(float).eps)
 
@@ -52,16 +51,8 @@ def neighbour_pairs(
     points that a point may meet in three neighbouring cells of a row form one
     stretch of the sorted points. The function looks at only half of the rows
     around a cell. The other half is covered when the cells there look back.
-
-    Distances are measured in a power of two near the radius, so that their
-    squares are ordinary floats. The radius may be as small as 1e-290 of the
-    farthest coordinate.
     """
     p, reach = _points(position), float(positive("radius", radius))
-    unit = float(
-        power_of_two(max(reach, 2.0**-500 * np.abs(p).max(initial=0.0)))
-    )
-    p, reach = p / unit, reach / unit
     key, rows_ahead = _cells(p, reach)
     order = np.argsort(key, kind="stable")
     key, p = key[order], p[order]

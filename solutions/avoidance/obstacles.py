@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array
 from solutions.avoidance.directions import to_the_left, unit_or_zero
 from solutions.checks import in_space, positive
-from solutions.scaling import in_moderate_units, length_of, root_of_product
 
 HEAD_ON = 1e-9
 """Share of a wish below which its part across the way names no side.
@@ -40,7 +39,8 @@ def side_of(towards: ArrayLike, *wishes: ArrayLike) -> Array:
     for wish in reversed([np.asarray(each, dtype=float) for each in wishes]):
         # Twice, because the first time leaves the rounding of a long wish.
         across = _across(_across(wish, ahead), ahead)
-        named = length_of(across) > HEAD_ON * length_of(wish)
+        aside = np.linalg.norm(across, axis=-1)
+        named = aside > HEAD_ON * np.linalg.norm(wish, axis=-1)
         side = np.where(named[..., None], unit_or_zero(across), side)
     return side
 
@@ -154,15 +154,13 @@ def is_in_the_way(
     """
     p, c = in_space("position", position), in_space("centre", centre)
     way = in_space("goal", goal) - p
-    ahead, _, metre = in_moderate_units(way)
-    squared = np.vecdot(ahead, ahead)
+    squared = np.vecdot(way, way)
     share = np.clip(
-        np.vecdot(c - p, ahead) / np.where(squared > 0, squared, 1.0) / metre,
-        0.0,
-        1.0,
+        np.vecdot(c - p, way) / np.where(squared > 0, squared, 1.0), 0.0, 1.0
     )
     nearest = p + share[..., None] * way
-    return np.asarray(length_of(nearest - c) < positive("radius", radius))
+    distance = np.linalg.norm(nearest - c, axis=-1)
+    return np.asarray(distance < positive("radius", radius))
 
 
 def steer_around(
@@ -232,10 +230,9 @@ def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
     The root is computed from a product, so that no two nearly equal squares
     are subtracted.
     """
-    distance = length_of(to_centre)
-    return distance, root_of_product(
-        np.maximum(distance - radius, 0.0), distance + radius
-    )
+    distance = np.asarray(np.linalg.norm(to_centre, axis=-1))
+    outside = np.maximum(distance - radius, 0.0)
+    return distance, np.sqrt(outside * (distance + radius))
 
 
 def _across(vector: Array, direction: Array) -> Array:

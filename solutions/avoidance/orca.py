@@ -16,7 +16,6 @@ from solutions.avoidance.directions import in_plane
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
 from solutions.checks import not_negative, of_shape, positive, whole
-from solutions.scaling import length_of
 
 
 def crowd_step(
@@ -149,7 +148,7 @@ def _heeded(
     """Which entries remain if each disc heeds the nearest in its sight."""
     if np.all(np.isinf(sight)) and np.all(np.isinf(most)):
         return np.ones(len(who), dtype=bool)
-    distance = length_of(p[whom] - p[who])
+    distance = np.linalg.norm(p[whom] - p[who], axis=-1)
     order = np.lexsort((whom, distance, who))
     count = np.bincount(who, minlength=len(p))
     rank = np.empty(len(who), dtype=int)  # 0 for the nearest

@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, vector
-from solutions.scaling import moderate_plane
 
 
 def signed_distance(
@@ -52,7 +51,7 @@ def signed_distance(
     when ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
     """
     point, normal = vector("point", point), vector("normal", normal)
-    normal, offset, length = moderate_plane(normal, offset)
+    offset, length = np.asarray(offset, float), np.linalg.norm(normal, axis=-1)
     if np.any(length == 0):
         raise ValueError("normal is zero: the plane has no direction")
     return np.asarray((np.vecdot(normal, point) + offset) / length)

@@ -69,10 +69,8 @@ def overlap_interval(
     w = not_negative("thickness", thickness)
     dt = not_negative("dt", dt)
     moves = u != 0
-    # A ball that crawls may need more seconds than a float holds.
-    with np.errstate(over="ignore"):
-        at_front = (r - x) / np.where(moves, u, 1.0)
-        at_back = (-(w + r) - x) / np.where(moves, u, 1.0)
+    at_front = (r - x) / np.where(moves, u, 1.0)
+    at_back = (-(w + r) - x) / np.where(moves, u, 1.0)
     inside = (-(w + r) <= x) & (x <= r)
     first = np.where(moves, np.minimum(at_front, at_back), 0.0)
     at_rest = np.where(inside, np.inf, -np.inf)

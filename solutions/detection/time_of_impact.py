@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative
-from solutions.scaling import root_of_difference
 
 
 def time_of_impact_interpolated(
@@ -117,11 +116,12 @@ def time_of_impact_exact(
     s = np.maximum(finite("separation", separation), 0.0)
     u = finite("normal_velocity", normal_velocity)
     a = finite("normal_acceleration", normal_acceleration)
-    # NaN where the body turns round before it reaches the plane
-    root = root_of_difference(u, 2 * a, s)
+    # Below zero where the body turns round before it reaches the plane
+    squared = u * u - 2 * a * s
+    root = np.sqrt(np.maximum(squared, 0.0))
     rising = u >= 0
     denominator = np.where(rising, -a, root - u)
-    arrives = denominator > 0  # false for NaN
+    arrives = (squared >= 0) & (denominator > 0)
     numerator = np.where(rising, u + root, 2 * s)
     time = numerator / np.where(arrives, denominator, 1.0)
     return np.where(arrives, time, np.inf)

@@ -11,7 +11,6 @@ from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
 from solutions.forces.correlations import LARGEST_REYNOLDS, drag_correction
 from solutions.forces.reynolds import check_stokes_regime, reynolds_number
-from solutions.scaling import length_of
 
 
 def relaxation_time(
@@ -218,7 +217,7 @@ def terminal_velocity_corrected(
     )
     excess = not_negative("density", density) - rho
     stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
-    target = 2 * r * rho * length_of(stokes) / eta
+    target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
     low, high = np.zeros_like(target), np.minimum(2 * target, LARGEST_REYNOLDS)
     if np.any(high * correction(high) < target):
         raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")

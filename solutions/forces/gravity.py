@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
-from solutions.scaling import length_of
 
 GRAVITATIONAL_CONSTANT = 6.67430e-11
 """G, m³/(kg s²), CODATA 2018; its relative uncertainty is 2.2e-5."""
@@ -121,7 +120,7 @@ def universal_gravity(
     m_1, m_2 = _masses(mass_1, mass_2)
     d, r = _apart(position_1, position_2, softening)
     r = np.where(r == 0, np.inf, r)  # no pull, however large the masses are
-    size = GRAVITATIONAL_CONSTANT * ((m_1 / r) * (m_2 / r))  # r² alone may be too large for a float
+    size = GRAVITATIONAL_CONSTANT * ((m_1 / r) * (m_2 / r))
     return np.asarray(size[..., None] * (d / r[..., None]))
 
 
@@ -212,4 +211,4 @@ def _masses(mass_1: ArrayLike, mass_2: ArrayLike) -> tuple[Array, Array]:
 def _apart(position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike) -> tuple[Array, Array]:
     """Vector from body 1 to body 2, and √(‖d‖² + ε²)."""
     d = np.asarray(vector("position_2", position_2) - vector("position_1", position_1))
-    return d, np.hypot(length_of(d), not_negative("softening", softening))
+    return d, np.hypot(np.linalg.norm(d, axis=-1), not_negative("softening", softening))

@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive
-from solutions.scaling import root_of_product
 
 
 def natural_frequency(stiffness: ArrayLike, mass: ArrayLike) -> Array:
@@ -68,7 +67,7 @@ def damping_ratio(stiffness: ArrayLike, damping: ArrayLike, mass: ArrayLike) -> 
         ζ = c/(2√(k m))
     """
     k, m = positive("stiffness", stiffness), finite("mass", positive("mass", mass))
-    return np.asarray(not_negative("damping", damping) / (2 * root_of_product(k, m)))
+    return np.asarray(not_negative("damping", damping) / (2 * np.sqrt(k * m)))
 
 
 def damped_oscillator(

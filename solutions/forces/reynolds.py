@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, positive, vector
-from solutions.scaling import length_of
 
 STOKES_LIMIT = 0.1
 """Reynolds number above which a `StokesRegimeWarning` is given.
@@ -57,7 +56,7 @@ def reynolds_number(
         Re = 2 r ρ_f ‖v − u‖/η
     """
     u = vector("fluid_velocity", fluid_velocity)
-    speed = length_of(vector("velocity", velocity) - u)
+    speed = np.linalg.norm(vector("velocity", velocity) - u, axis=-1)
     r = not_negative("radius", radius)
     rho = not_negative("fluid_density", fluid_density)
     return np.asarray(2 * r * rho * speed / positive("viscosity", viscosity))

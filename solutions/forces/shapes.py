@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive
-from solutions.scaling import power_of_two
 
 _NEAR_SPHERE = 0.25
 """|1 − b²/a²| below which the series is summed.
@@ -89,8 +88,6 @@ def spheroid_shape_factors(along: ArrayLike, across: ArrayLike) -> Array:
     a, b = np.broadcast_arrays(
         finite("along", not_negative("along", along)), finite("across", positive("across", across))
     )
-    metre = power_of_two(np.maximum(a, b))
-    a, b = a / metre, b / metre
     difference = (a - b) * (a + b)
     near = np.abs(difference) < _NEAR_SPHERE * a**2
     # Where the series is used, any spheroid will do here, as its result is not taken.
@@ -99,7 +96,7 @@ def spheroid_shape_factors(along: ArrayLike, across: ArrayLike) -> Array:
     prolate = _prolate(np.where(long, safe_a, 2.0), np.where(long, safe_b, 1.0))
     oblate = _oblate(np.where(long, 1.0, safe_a), np.where(long, 2.0, safe_b))
     series = _near_sphere(a, np.where(near, difference, 0.0) / np.where(near, a, 1.0) ** 2)
-    return np.where(near[..., None], series, np.where(long[..., None], prolate, oblate)) * metre[..., None]
+    return np.where(near[..., None], series, np.where(long[..., None], prolate, oblate))
 
 
 def _prolate(a: Array, b: Array) -> Array:

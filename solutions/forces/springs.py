@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, vector
-from solutions.scaling import length_of
 
 
 def spring_force(
@@ -190,5 +189,5 @@ def _line(position_1: ArrayLike, position_2: ArrayLike) -> tuple[Array, Array]:
     The vector is zero where the ends coincide.
     """
     d = vector("position_1", position_1) - vector("position_2", position_2)
-    length = length_of(d)
+    length = np.asarray(np.linalg.norm(d, axis=-1))
     return length, np.asarray(d / np.where(length == 0, 1.0, length)[..., None])

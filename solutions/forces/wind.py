@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, positive, vector
-from solutions.scaling import length_of
 
 _CORNERS = np.array(list(np.ndindex(2, 2, 2)))
 
@@ -113,5 +112,5 @@ def wind_force(
     """
     relative = vector("velocity", velocity) - vector("wind", wind)
     size = not_negative("density", density) * not_negative("drag_coefficient", drag_coefficient)
-    speed = length_of(relative)
+    speed = np.linalg.norm(relative, axis=-1)
     return np.asarray(-(size * not_negative("area", area) * speed / 2)[..., None] * relative)

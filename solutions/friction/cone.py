@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, unit, vector
-from solutions.scaling import length_of
 
 SQUARE_TOLERANCE = 1e-6
 """How far the cosine of two axes at right angles may be from 0.
@@ -47,7 +46,7 @@ def clamp_to_circle(tangent_force: ArrayLike, limit: ArrayLike) -> Array:
         vector("tangent_force", tangent_force),
         not_negative("limit", limit),
     )
-    size = length_of(force)
+    size = np.linalg.norm(force, axis=-1)
     return np.asarray(
         force
         * np.where(size > most, most / np.where(size > 0, size, 1.0), 1.0)[

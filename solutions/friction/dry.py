@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
-from solutions.scaling import in_moderate_units, length_of
 
 
 def holds(
@@ -45,7 +44,8 @@ def holds(
     limit = static * finite(
         "normal_force", not_negative("normal_force", normal_force)
     )
-    return np.asarray(length_of(finite("push", vector("push", push))) <= limit)
+    size = np.linalg.norm(finite("push", vector("push", push)), axis=-1)
+    return np.asarray(size <= limit)
 
 
 def friction_force(
@@ -90,8 +90,8 @@ def friction_force(
         "static_friction less kinetic_friction",
         np.asarray(static_friction) - mu,
     )
-    speed = length_of(velocity)[..., None]
-    size = length_of(push)[..., None]
+    speed = np.linalg.norm(velocity, axis=-1)[..., None]
+    size = np.linalg.norm(push, axis=-1)[..., None]
     along_velocity = velocity / np.where(speed > 0, speed, 1.0)
     along_push = push / np.where(size > 0, size, 1.0)
     kinetic = (mu * np.asarray(normal_force))[..., None]
@@ -172,23 +172,11 @@ def sliding_motion(
         )
 
     a = acceleration(v)
-    (way, _, metre), (slowing, _, metre_a_second) = (
-        in_moderate_units(v),
-        in_moderate_units(a),
+    speed_squared, closing = np.vecdot(v, v), -np.vecdot(v, a)
+    stops = (speed_squared > 0) & (speed_squared <= closing * dt)
+    stopping_time = np.where(
+        stops, speed_squared / np.where(stops, closing, 1.0), np.inf
     )
-    speed_squared, closing = np.vecdot(way, way), -np.vecdot(way, slowing)
-    with np.errstate(
-        over="ignore"
-    ):  # hardly any friction takes longer than any float
-        second = metre / metre_a_second  # 1, unless a number is extreme
-        stops = (speed_squared > 0) & (
-            speed_squared <= closing * (dt / second)
-        )
-        stopping_time = np.where(
-            stops,
-            speed_squared / np.where(stops, closing, 1.0) * second,
-            np.inf,
-        )
     first = np.minimum(stopping_time, dt)[..., None]
     p = p + v * first + a * first * first / 2
     v = np.where(stops[..., None], 0.0, v + a * first)

@@ -16,7 +16,6 @@ from solutions.checks import (
     vector,
 )
 from solutions.friction.support import less_normal_part
-from solutions.scaling import in_unit, moderate_equations, power_of_two
 
 SINGULAR = 1e-12
 """Share of the product of its rows' lengths below which det K counts as zero.
@@ -161,8 +160,8 @@ def friction_impulse(
         in_unit_interval("restitution", restitution),
         finite("friction", not_negative("friction", friction)),
     )
-    k, u, smaller = moderate_equations(matrix("inverse_mass", inverse_mass), u)
-    k, approach = positive_definite(k), np.vecdot(u, n)
+    k = positive_definite(matrix("inverse_mass", inverse_mass))
+    approach = np.vecdot(u, n)
     grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[
         ..., 0
     ]
@@ -176,13 +175,10 @@ def friction_impulse(
     slip = (-(1 + e) * approach / np.where(gained > 0, gained, 1.0))[
         ..., None
     ] * edge
-    return in_unit(
-        np.where(
-            (approach < 0)[..., None],
-            np.where(sticks[..., None], grip, slip),
-            0.0,
-        ),
-        smaller,
+    return np.where(
+        (approach < 0)[..., None],
+        np.where(sticks[..., None], grip, slip),
+        0.0,
     )
 
 
@@ -256,9 +252,7 @@ def sphere_impact(
     Notes
     -----
     The arm from the centre to the contact is r = −R n. The impulse and the
-    inertia are both proportional to the mass, so that the mass drops out. The
-    code measures lengths in a power of two near R, so that they may have any
-    size.
+    inertia are both proportional to the mass, so that the mass drops out.
     """
     v, spin, n = (
         vector("velocity", velocity),
@@ -269,10 +263,7 @@ def sphere_impact(
     share = finite("inertia_share", positive("inertia_share", inertia_share))[
         ..., None
     ]
-    length = power_of_two(r)
-    arm, inertia = -(r / length) * n, share * (r / length) ** 2
+    arm, inertia = -r * n, share * r**2
     k = point_inverse_mass(1.0, np.eye(3) / inertia[..., None], arm)
-    j = friction_impulse(
-        v + np.cross(spin * length, arm), n, k, restitution, friction
-    )
-    return v + j, spin + np.cross(arm, j) / inertia / length
+    j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)
+    return v + j, spin + np.cross(arm, j) / inertia

@@ -23,7 +23,6 @@ from solutions.checks import (
 )
 from solutions.friction.impact import positive_definite
 from solutions.friction.impact_course import Course, follow
-from solutions.scaling import in_unit, moderate_equations
 
 AGAIN = 1e-9
 """A speed of approach at the end below this share of the speed before is rounding."""
@@ -236,8 +235,7 @@ def _where_approaching(
         in_unit_interval("restitution", restitution),
         finite("friction", not_negative("friction", friction)),
     )
-    k, u, smaller = moderate_equations(matrix("inverse_mass", inverse_mass), u)
-    k = positive_definite(k)
+    k = positive_definite(matrix("inverse_mass", inverse_mass))
     if np.any(np.linalg.eigvalsh((k + np.swapaxes(k, -1, -2)) / 2) <= 0):
         raise ValueError(
             "inverse_mass must be positive definite: an impact with this"
@@ -259,7 +257,7 @@ def _where_approaching(
         mu[struck],
     )
     impulse[struck] = np.vecmat(along, axes)
-    return in_unit(impulse.reshape(*shape, 3), smaller)
+    return impulse.reshape(*shape, 3)
 
 
 def _contact_axes(normal: Array) -> Array:

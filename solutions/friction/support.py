@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
 from solutions.friction.dry import holds
-from solutions.scaling import in_moderate_units
 
 
 def support_force(
@@ -141,10 +140,6 @@ def break_away_time(
         finite("force", vector("force", force)),
         finite("force_rate", vector("force_rate", force_rate)),
     )
-    (force, _, newton), (rate, _, newton_a_second) = (
-        in_moderate_units(force),
-        in_moderate_units(rate),
-    )
     press, press_rate = -np.vecdot(force, n), -np.vecdot(rate, n)
     f, rate = less_normal_part(force, n), less_normal_part(rate, n)
     held = holds(f, np.maximum(0.0, press), mu) & (press >= 0)
@@ -166,6 +161,4 @@ def break_away_time(
             b > 0, -c / (b + root), np.where(a > 0, (root - b) / a, np.inf)
         )
         lifts = np.where(press_rate < 0, -press / press_rate, np.inf)
-        return np.where(
-            held, np.minimum(leaves, lifts) * newton / newton_a_second, 0.0
-        )
+        return np.where(held, np.minimum(leaves, lifts), 0.0)

@@ -17,7 +17,6 @@ from solutions.impulse.points import (
     classify_contact,
     normal_velocity,
 )
-from solutions.scaling import length_of
 
 NO_LEVER = 1e-15
 """Sine of the angle between arm and normal up to which r × n counts as zero.
@@ -281,6 +280,7 @@ def _softness(body: Arrays, normal: Array) -> Array:
     """
     r = body[2]
     dv, dw = moved(body, normal)
-    lever = length_of(np.cross(r, normal)) > NO_LEVER * length_of(r)
-    turning = np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0)
+    lever = np.linalg.norm(np.cross(r, normal), axis=-1)
+    turns = lever > NO_LEVER * np.linalg.norm(r, axis=-1)
+    turning = np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0)
     return np.asarray(np.vecdot(normal, dv) + turning)

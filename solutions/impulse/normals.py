@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, vector
-from solutions.scaling import in_moderate_units
 
 PARALLEL = 1e-9
 """Sine of the angle between two edges up to which they count as parallel.
@@ -110,7 +109,7 @@ def edge_edge_normal(
 
 def _direction(name: str, value: ArrayLike) -> Array:
     """The vector over its length."""
-    given, *_ = in_moderate_units(finite(name, vector(name, value)))
+    given = finite(name, vector(name, value))
     length = np.linalg.norm(given, axis=-1, keepdims=True)
     if np.any(length == 0):
         raise ValueError(f"{name} is zero: it has no direction")

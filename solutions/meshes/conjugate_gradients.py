@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Integers
 from solutions.meshes.mesh import SpringMesh
 from solutions.meshes.springs import finite_vectors, node_vectors
-from solutions.scaling import in_moderate_units, in_unit
 
 ROUNDING = 64 * np.finfo(float).eps
 """Share of the largest terms that rounding may leave of a residual."""
@@ -79,10 +78,7 @@ def conjugate_gradient(
             mesh.pinned[:, None], 0.0, node_vectors(mesh, "right", right)
         ),
     )
-    *_, unit = in_moderate_units(
-        held.reshape(*held.shape[:-2], 3 * len(mesh.mass))
-    )
-    system, given = _System.of(mesh, blocks, in_unit(held, unit, 2))
+    system, given = _System.of(mesh, blocks, held)
     x, residual, direction, square = (
         np.zeros_like(given),
         given,
@@ -113,7 +109,7 @@ def conjugate_gradient(
             f" {np.max(worst):.1e} of its mass times the largest result;"
             f" {tolerance:.1e} is allowed"
         )
-    return np.moveaxis(x, 0, -1) * unit[..., None, None]
+    return np.moveaxis(x, 0, -1)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ from solutions.detection import is_colliding
 from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
 from solutions.meshes.springs import node_vectors
 from solutions.response import kinematic_response
-from solutions.scaling import length_of
 
 UP = (0.0, 0.0, 1.0)
 
@@ -79,7 +78,7 @@ def mesh_sphere_contact(
     mesh = as_mesh(mesh)
     p = node_vectors(mesh, "position", position)
     away = p - np.asarray(centre, dtype=float)
-    distance = length_of(away)
+    distance = np.linalg.norm(away, axis=-1)
     apart = distance > 0
     normal = np.where(
         apart[..., None], away / np.where(apart, distance, 1.0)[..., None], UP
@@ -108,7 +107,7 @@ def _answered(
     e = in_unit_interval("restitution", restitution)
     mu = not_negative("friction", friction)
     after = kinematic_response(v, normal, e)
-    gained = length_of(after - v)
+    gained = np.linalg.norm(after - v, axis=-1)
     rubbed = _slowed(after, normal, mu * gained)
     hit = (is_colliding(separation) & ~mesh.pinned)[..., None]
     put_back = position - separation[..., None] * normal
@@ -122,6 +121,6 @@ def _slowed(velocity: Array, normal: Array, most: Array) -> Array:
     """
     across = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
     along = velocity - across
-    speed = length_of(along)
+    speed = np.linalg.norm(along, axis=-1)
     kept = 1 - np.minimum(1.0, most / np.where(speed > 0, speed, 1.0))
     return np.asarray(across + kept[..., None] * along)

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.checks import finite, not_negative, positive
-from solutions.scaling import in_moderate_units
 
 
 class _Parts(NamedTuple):
@@ -114,8 +113,7 @@ def lengths(vector: Array) -> Array:
     Every length of an edge is computed with this formula, so a mesh in its
     first shape is at rest to the last bit.
     """
-    _, length, unit = in_moderate_units(vector)
-    return length * unit if unit.ndim else length
+    return np.asarray(np.sqrt(np.vecdot(vector, vector)))
 
 
 def checked_edges(edges: ArrayLike, nodes: int) -> Integers:

@@ -12,14 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.polyhedra.solid_angles import FAR, solid_angle, winding_of_mesh
+from solutions.polyhedra.solid_angles import solid_angle, winding_of_mesh
 from solutions.polyhedra.surface import (
     blocks,
     checked_mesh,
     directed_edges,
     same_places,
 )
-from solutions.scaling import in_moderate_units, in_unit
 
 FEW = 10_000
 """Up to so many coordinates times faces, all solid angles are summed."""
@@ -159,7 +158,7 @@ def winding_number(
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
     if p.size * len(f) > FEW:
-        return _around_many(p, v, f)
+        return winding_of_mesh(p.reshape(-1, 3), v, f).reshape(p.shape[:-1])
     return np.asarray(
         np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi)
     )
@@ -196,15 +195,6 @@ def inside_by_winding(
         are not finite or do not fit the faces.
     """
     return np.asarray(np.abs(winding_number(point, vertices, faces)) > 0.5)
-
-
-def _around_many(p: Array, v: Array, f: Integers) -> Array:
-    """The winding number of many points or faces, by a shortened sum."""
-    coordinates, _, metre = in_moderate_units(v.reshape(-1))
-    rows = np.clip(in_unit(p.reshape(-1, 3), metre, 0), -FAR, FAR)
-    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(
-        p.shape[:-1]
-    )
 
 
 def _refuse_open(vertices: Array, faces: Integers) -> None:

@@ -9,7 +9,6 @@ from solutions.arrays import Array
 from solutions.checks import finite, matrix, vector
 from solutions.detection import signed_distance
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.scaling import in_moderate_units, in_unit
 
 ROUNDING = 1e-15
 """Share of the largest coordinate within which a point counts as on a side.
@@ -124,7 +123,7 @@ def segment_triangle(
     point of the triangle. The function takes the candidate whose point on the
     triangle is nearest to its point on the segment.
     """
-    p, q, corners = _in_moderate_units(*_side_by_side(start, end, triangle))
+    p, q, corners = _side_by_side(start, end, triangle)
     a, b, c = (corners[..., k, :] for k in range(3))
     normal = np.cross(b - a, c - a)
     if np.any(np.all(normal == 0, axis=-1)):
@@ -209,16 +208,6 @@ def _side_by_side(
         np.broadcast_to(q, (*shape, 3)),
         np.broadcast_to(corners, (*shape, 3, 3)),
     )
-
-
-def _in_moderate_units(
-    p: Array, q: Array, corners: Array
-) -> tuple[Array, Array, Array]:
-    points = np.concatenate(
-        [p[..., None, :], q[..., None, :], corners], axis=-2
-    )
-    *_, metre = in_moderate_units(points.reshape(*points.shape[:-2], 15))
-    return in_unit(p, metre), in_unit(q, metre), in_unit(corners, metre, 2)
 
 
 def _passes_through(

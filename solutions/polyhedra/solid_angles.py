@@ -15,11 +15,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Integers
 from solutions.checks import in_space, matrix
 from solutions.polyhedra.surface import blocks, directed_edges
-from solutions.scaling import in_moderate_units, in_unit
-
-FAR = np.float64(2.0**300)
-"""From farther away than this many sizes of a mesh, its solid angle is below
-1e-180."""
 
 FEW_FACES = 8
 FEW_POINTS = 150
@@ -80,13 +75,7 @@ def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
     the function of the arc takes both with their signs.
     """
     p, corners = in_space("point", point), matrix("triangle", triangle)
-    coordinates, _, metre = in_moderate_units(
-        corners.reshape(*corners.shape[:-2], 9)
-    )
-    p = np.clip(in_unit(p, metre), -FAR, FAR)
-    first, second, third = np.moveaxis(
-        coordinates.reshape(corners.shape), -2, 0
-    )
+    first, second, third = np.moveaxis(corners, -2, 0)
     normal = np.moveaxis(np.cross(second - first, third - first), -1, 0)
     a, b, c = (
         np.moveaxis(corner - p, -1, 0) for corner in (first, second, third)

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
 from solutions.checks import finite
-from solutions.scaling import cross_product
 
 PAIRS = 1 << 16
 """How many pairs, as of points and faces, are looked at in one go.
@@ -94,7 +93,8 @@ def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
     """
     v, f = checked_mesh(vertices, faces)
     a, b, c = v[f[:, 0]], v[f[:, 1]], v[f[:, 2]]
-    normal, length = cross_product(b - a, c - a)
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=-1)
     if np.any(length == 0):
         raise ValueError(
             f"faces must have an area: face {np.argmin(length)} has none,"

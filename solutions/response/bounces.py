@@ -9,7 +9,6 @@ from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
 from solutions.detection import signed_distance, time_of_impact_exact
 from solutions.forces import ballistic_motion
-from solutions.scaling import root_of_difference
 
 
 def time_until_rest(
@@ -182,5 +181,5 @@ def bounce_through_step(
 
 def _arrival_speed(separation: Array, normal_velocity: Array, normal_acceleration: Array) -> Array:
     """Speed √(u² − 2 a s) at which a body meets the plane, m/s; 0 where it does not."""
-    speed = root_of_difference(normal_velocity, 2 * normal_acceleration, separation)
-    return np.where(speed >= 0, speed, 0.0)  # NaN where the body turns round before
+    u, a, s = normal_velocity, normal_acceleration, separation
+    return np.asarray(np.sqrt(np.maximum(u * u - 2 * a * s, 0.0)))

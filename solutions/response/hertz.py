@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
 from solutions.response.penalty_impact import penalty_damping, penalty_restitution
-from solutions.scaling import moderate
 
 ROUND_TRIP = 0.8 * math.sqrt(math.pi) * math.gamma(0.4) / math.gamma(0.9)
 """∫ 2 dx/√(1 − x^{5/2}) from 0 to 1, which is 2.943."""
@@ -123,13 +122,10 @@ def hertz_largest_depth(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike)
     (2/5) k d^{5/2} of its force. So
 
         d = (5 m v²/(4 k))^{2/5}
-
-    Where v² is no ordinary float, the code writes this as (√(5 m/(4 k)) v)^{4/5}.
     """
     m, k = finite("mass", positive("mass", mass)), finite("stiffness", positive("stiffness", stiffness))
     v = finite("speed", not_negative("speed", speed))
-    ratio = 1.25 * (m / k)
-    return np.asarray((ratio * v**2) ** 0.4 if moderate(v) else (np.sqrt(ratio) * v) ** 0.8)
+    return np.asarray((1.25 * (m / k) * v**2) ** 0.4)
 
 
 def hertz_contact_time(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike) -> Array:

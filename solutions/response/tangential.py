@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
 from solutions.friction.support import less_normal_part
-from solutions.scaling import length_of
 
 
 def tangential_spring(
@@ -79,7 +78,7 @@ def tangential_spring(
     slip = less_normal_part(finite("slip_velocity", vector("slip_velocity", slip_velocity)), n)
     xi = _into_new_surface(finite("stretch", vector("stretch", stretch)), n) + slip * dt[..., None]
     asked, dashpot = -k[..., None] * xi - c[..., None] * slip, c[..., None] * slip
-    size, most = length_of(asked), mu * press
+    size, most = np.linalg.norm(asked, axis=-1), mu * press
     slides = size > most
     force = asked * np.where(slides, most / np.where(slides, size, 1.0), 1.0)[..., None]
     xi = np.where(slides[..., None], -(force + dashpot) / k[..., None], xi)
@@ -90,5 +89,6 @@ def tangential_spring(
 def _into_new_surface(stretch: Array, n: Array) -> Array:
     """The stretch in the surface of the new normal, as long as before."""
     along = less_normal_part(stretch, n)
-    before, after = length_of(stretch)[..., None], length_of(along)[..., None]
+    before = np.linalg.norm(stretch, axis=-1, keepdims=True)
+    after = np.linalg.norm(along, axis=-1, keepdims=True)
     return np.asarray(along * np.where(after > 0, before / np.where(after > 0, after, 1.0), 0.0))

@@ -17,7 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import in_space
-from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
 from solutions.sweeping.rounds import (
@@ -265,7 +264,7 @@ class _Body:
 
     def bound(self, pairs: Pairs, normal: Array) -> Array:
         """Fastest that any point of some bodies moves along a direction."""
-        reach = length_of(self.points[pairs]).max(axis=-1)
+        reach = np.linalg.norm(self.points[pairs], axis=-1).max(axis=-1)
         # Where the normal is zero the bodies overlap, and nobody needs a
         # bound.
         apart = np.vecdot(normal, normal) > 0.5

@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import in_space
-from solutions.scaling import in_moderate_units, in_unit, length_of
 from solutions.sweeping.nearest import nearest_weights, triangles
 from solutions.sweeping.rounds import (
     Pairs,
@@ -176,15 +175,8 @@ def _first_contact(
         shape,
         flat(size_a, shape),
         flat(size_b, shape),
-        flat(length_of(start[..., 0, :]), shape),
+        flat(np.linalg.norm(start[..., 0, :], axis=-1), shape),
     )
-    row = (*start.shape[:-2], 6 * start.shape[-2])
-    *_, metre = in_moderate_units(
-        np.concatenate([start, end], axis=-2).reshape(row)
-    )
-    start = in_unit(start, metre, 2)
-    end = in_unit(end, metre, 2)
-    near = near / flat(metre, shape)
     place = flat(start, shape, start.shape[-2:])
     motion = flat(end, shape, end.shape[-2:]) - place
     return *_follow(place, motion, near, np.zeros(near.shape), SPLITS), shape
@@ -268,7 +260,7 @@ def _towards(corners: Array) -> Array:
         ]
         @ faces
     )[..., 0, :]
-    distance = length_of(nearest)
+    distance = np.linalg.norm(nearest, axis=-1)
     best = np.argmin(distance, axis=-1)[:, None]
     length = np.take_along_axis(distance, best, axis=-1)
     nearest = np.take_along_axis(nearest, best[..., None], axis=-2)[:, 0, :]

@@ -14,7 +14,6 @@ from solutions.checks import (
     positive,
     whole,
 )
-from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
 
@@ -143,7 +142,7 @@ def advance(
     end = finite("dt", not_negative("dt", dt))
     near = positive("tolerance", tolerance)
     most = int(finite("looks", positive("looks", whole("looks", looks))))
-    reach = length_of(corners).max()
+    reach = np.linalg.norm(corners, axis=-1).max()
     time = 0.0
     for used in range(1, most + 1):
         a = position + velocity * time + rotated(corners, turn * time)

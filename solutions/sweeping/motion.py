@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, in_space, not_negative, unit, vector
-from solutions.scaling import length_of
 
 
 def extent(name: str, value: ArrayLike) -> Array:
@@ -104,7 +103,7 @@ def rotated(point: ArrayLike, rotation: ArrayLike) -> Array:
     function uses these limits.
     """
     p, w = in_space("point", point), in_space("rotation", rotation)
-    angle = length_of(w)[..., None]
+    angle = np.linalg.norm(w, axis=-1)[..., None]
     sine = np.sinc(angle / np.pi)  # sin θ/θ, 1 at 0
     rest = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 − cos θ)/θ², ½ at 0
     return np.asarray(
@@ -160,5 +159,6 @@ def motion_bound(
     v = in_space("velocity", velocity)
     w = in_space("angular_velocity", angular_velocity)
     n = unit("normal", vector("normal", normal))
-    turning = length_of(np.cross(n, w)) * not_negative("reach", reach)
+    across = np.linalg.norm(np.cross(n, w), axis=-1)
+    turning = across * not_negative("reach", reach)
     return np.asarray(np.vecdot(n, v) + turning)

@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space
-from solutions.scaling import in_moderate_units, in_unit
 
 ROUNDS = 60
 """Largest number of rounds; boxes take about ten.
@@ -90,13 +89,8 @@ def nearest_on_triangle(point: ArrayLike, triangle: ArrayLike) -> Array:
     # The edges are not taken from `corners`: far from the point these have
     # lost digits.
     ways = np.roll(places, -1, axis=-2) - places
-    *_, metre = in_moderate_units(ways.reshape(*ways.shape[:-2], 9))
-    places, ways = in_unit(places, metre, 2), in_unit(ways, metre, 2)
-    return nearest_weights(
-        places - in_unit(in_space("point", point), metre)[..., None, :],
-        places,
-        ways,
-    )
+    corners = places - in_space("point", point)[..., None, :]
+    return nearest_weights(corners, places, ways)
 
 
 def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
@@ -198,12 +192,6 @@ def separation_of_hulls(
     shape = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
     a = np.broadcast_to(a, (*shape, *a.shape[-2:]))
     b = np.broadcast_to(b, (*shape, *b.shape[-2:]))
-    *_, metre = in_moderate_units(
-        np.concatenate([a, b], axis=-2).reshape(
-            *shape, 3 * (a.shape[-2] + b.shape[-2])
-        )
-    )
-    a, b = in_unit(a, metre, 2), in_unit(b, metre, 2)
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))
     done, last = np.zeros(shape, dtype=bool), np.full(shape, np.inf)
@@ -234,7 +222,7 @@ def separation_of_hulls(
             support[..., None, :],
             axis=-2,
         )
-    return best * metre, normal
+    return best, normal
 
 
 def farthest(body: Array, direction: Array) -> Array:

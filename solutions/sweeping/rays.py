@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space
-from solutions.scaling import in_moderate_units, in_unit
 from solutions.sweeping.motion import extent
 
 
@@ -61,24 +60,17 @@ def ray_sphere(
     x = in_space("origin", origin)
     u = in_space("direction", direction)
     r = extent("radius", radius)
-    x, distance, metre = in_moderate_units(x)
-    u, _, speed = in_moderate_units(u)
-    closing = -np.vecdot(x, u)
-    r, across = in_unit(r, metre, 0), np.cross(x, u)
+    distance = np.sqrt(np.vecdot(x, x))
+    closing, across = -np.vecdot(x, u), np.cross(x, u)
     inside = distance <= r
     # From within, the size of the sphere does not matter.
     r = np.minimum(r, distance)
     discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
-    # At a crawl the time may be longer than any float: infinity stands for it.
-    with np.errstate(over="ignore"):
-        time = (
-            (distance - r)
-            * (distance + r)
-            / np.where(meets, closing + root, 1.0)
-            * (metre / speed)
-        )
+    time = (
+        (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0)
+    )
     return np.where(inside, 0.0, np.where(meets, time, np.inf))
 
 
@@ -124,14 +116,13 @@ def ray_capsule(
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     a, b = in_space("start", start), in_space("end", end)
-    along, _, metre = in_moderate_units(b - a)
+    along = b - a
     squared = np.vecdot(along, along)
     scale = np.where(squared > 0, squared, 1.0)
     place, rate = np.vecdot(x - a, along) / scale, np.vecdot(u, along) / scale
     side = ray_sphere(
         x - a - place[..., None] * along, u - rate[..., None] * along, radius
     )
-    place, rate = place / metre, rate / metre
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
     side = np.where((there >= 0) & (there <= 1), side, np.inf)
     return np.minimum(
@@ -149,10 +140,9 @@ def time_between(
     """
     moves = rate != 0
     speed = np.where(moves, np.abs(rate), 1.0)
-    with np.errstate(over="ignore"):  # as in `ray_sphere`
-        middle = -place * np.sign(rate)
-        sign = np.where(np.abs(place) <= half, 1.0, -1.0)
-        first, last = (middle - half) / speed, (middle + half) / speed
+    middle = -place * np.sign(rate)
+    sign = np.where(np.abs(place) <= half, 1.0, -1.0)
+    first, last = (middle - half) / speed, (middle + half) / speed
     first = np.where(moves, first, -sign * np.inf)
     return first, np.where(moves, last, sign * np.inf)
 
@@ -206,5 +196,5 @@ def in_all(first: Array, last: Array) -> tuple[Array, Array]:
     """
     entry = np.maximum(np.max(first, axis=-1), 0.0)
     leaving = np.min(last, axis=-1)
-    meets = (entry <= leaving) & (entry < np.inf)
+    meets = entry <= leaving
     return np.where(meets, entry, np.inf), np.where(meets, leaving, -np.inf)

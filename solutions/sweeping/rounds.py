@@ -36,11 +36,9 @@ def free_time(separation: Array, closing: Array) -> Array:
     It is infinity if the separation does not shrink.
     """
     shrinks = closing > 0
-    # At a crawl the time may be longer than any float: infinity stands for it.
-    with np.errstate(over="ignore"):
-        return np.where(
-            shrinks, separation / np.where(shrinks, closing, 1.0), np.inf
-        )
+    return np.where(
+        shrinks, separation / np.where(shrinks, closing, 1.0), np.inf
+    )
 
 
 def advance_all(

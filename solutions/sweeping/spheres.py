@@ -107,9 +107,7 @@ def sweep_sphere_plane(
         "radius", radius
     )
     closing = -signed_distance(u, n, 0.0)
-    # At a crawl the time may be longer than any float: infinity stands for it.
-    with np.errstate(over="ignore"):
-        time = np.where(
-            closing > 0, gap / np.where(closing > 0, closing, 1.0), np.inf
-        )
+    time = np.where(
+        closing > 0, gap / np.where(closing > 0, closing, 1.0), np.inf
+    )
     return within(np.where(gap <= 0, 0.0, time), dt)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 DETECTION = tuple(f"detection/{name}" for name in ("planes", "time_of_impact", "two_walls", "sampling"))
-CELLS = (("arrays", "checks", "scaling"), DETECTION)
+CELLS = (("arrays", "checks"), DETECTION)
 """The modules of each cell: what is given, and what is written."""
 OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
 SIDE = (

@@ -86,14 +86,13 @@ def test_a_crowd_in_one_cell_and_at_one_place_is_all_pairs(dimensions):
 
 
 @pytest.mark.parametrize("dimensions", [2, 3])
-@pytest.mark.parametrize("spread", [1e3, 1e6, 1e9, 1e12, 1e15, 1e18, 1e300])
+@pytest.mark.parametrize("spread", [1e3, 1e6, 1e9, 1e12, 1e15, 1e18, 1e60])
 def test_clusters_any_distance_apart_are_found_in_the_same_memory(dimensions, spread):
     rng = np.random.default_rng(RNG_SEED)
     centres = rng.uniform(-spread, spread, (20, dimensions))
     position = np.concatenate([centres, centres + rng.uniform(-0.6, 0.6, centres.shape), centres])
-    with np.errstate(over="ignore"):  # squares of 1e300 m, in the brute force as in ours
-        pairs = np.stack(neighbour_pairs(position, 1.0), axis=1)
-        assert np.array_equal(pairs, brute_force(position, 1.0))
+    pairs = np.stack(neighbour_pairs(position, 1.0), axis=1)
+    assert np.array_equal(pairs, brute_force(position, 1.0))
     assert len(pairs) >= 20
 
 

@@ -213,7 +213,7 @@ def test_a_grazing_contact_gets_no_impulse_even_if_slip_is_coupled():
     assert sorted(np.sign([j[2] for j in wanted])) == [-1, 1]
     for slip in (0.5, -0.5):
         assert friction_impulse((slip, 0.0, 0.0), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
-        assert friction_impulse((slip, 0.0, 1e-300), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
+        assert friction_impulse((slip, 0.0, 1e-60), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
 
 
 def test_friction_opposes_the_slip_that_is_left_after_a_reversal():

@@ -19,7 +19,6 @@ TWICE = "It enters twice, so that its sign drops out."
 SHORTENED = "The vector is divided by its length afterwards, and may be longer or shorter before."
 ORDER = "The order does not matter."
 NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how they move."
-UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones."
 LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
 NOT_NEGATIVE = "What the size is taken of is never negative."
 PLANE_AT_REST = "It has no plane that moves."
@@ -30,7 +29,6 @@ OF_A_PLANE_AT_REST = (
 )
 
 ONE_MESH = "There is one mesh in a call."
-UNIT_OF_LENGTHS = "Whether a length is zero is all that counts of it here, besides its unit, which is 1."
 POSITIVE_PARTS = tuple(f"{part} of mesh: size for it" for part in ("rest_length", "stiffness", "damping", "mass"))
 
 ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
@@ -93,15 +91,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "At the stop v + a t is zero, except for rounding.": (
             "branch dropped: np.where(stops[..., None], 0.0, v + a * first) → shaped(v + a * first…",
         ),
-        UNIT: (
-            "factor forgotten: metre / metre_a_second → …",
-            "ratio inverted: metre / metre_a_second → …",
-            "product for ratio: metre / metre_a_second → …",
-            "factor forgotten: dt / second → dt",
-            "product for ratio: dt / second → dt * second",
-            "factor forgotten: speed_squared / np.where(stops, closing, 1.0) * second → speed_squared…",
-            "ratio for product: speed_squared / np.where(stops, closing, 1.0) * second → speed_squared…",
-        ),
         "Where the body does not stop, nothing is left of the step.": (
             "branch dropped: np.where(stops[..., None], acceleration(v), 0.0) → shaped(acceleration…",
         ),
@@ -126,12 +115,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: b + root → b + np.abs(root)",
             "size for it: root - b → np.abs(root) - b",
             "size for it: np.where(held, …",
-        ),
-        UNIT: (
-            "factor forgotten: np.minimum(leaves, lifts) * newton / newton_a_second → np.minimum…",
-            "factor forgotten: np.minimum(leaves, lifts) * newton → np.minimum…",
-            "product for ratio: np.minimum(leaves, lifts) * newton / newton_a_second → …",
-            "ratio for product: np.minimum(leaves, lifts) * newton → np.minimum…",
         ),
         "Only its square is used.": (
             "sign flipped: press[..., None] * rate - press_rate[..., None] * f → press_rate[…",
@@ -205,13 +188,13 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "_softness": {
         NOT_NEGATIVE: ("size for it: …",),
         LEVER: (
-            "boundary: length_of(np.cross(r, normal)) > NO_LEVER * length_of(r) → …",
-            "condition dropped: length_of(np.cross(r, normal)) > NO_LEVER * length_of(r) → always(…",
-            "branch dropped: np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
+            "boundary: lever > NO_LEVER * np.linalg.norm(r, axis=-1) → …",
+            "condition dropped: lever > NO_LEVER * np.linalg.norm(r, axis=-1) → always(…",
+            "branch dropped: np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
         ),
         "The bound of what counts as rounding may be another one.": (
-            "factor forgotten: NO_LEVER * length_of(r) → NO_LEVER",
-            "ratio for product: NO_LEVER * length_of(r) → NO_LEVER / length_of(r)",
+            "factor forgotten: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER",
+            "ratio for product: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER / np.linalg.norm(r, axis=-1)",
         ),
         "Only whether the vector is zero counts.": (
             "cross product turned round: np.cross(r, normal) → np.cross(normal, r)",
@@ -328,7 +311,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "condition dropped: p.size * len(f) > FEW → …",
             "factor forgotten: p.size * len(f) → …",
             "ratio for product: p.size * len(f) → …",
-            "size for it: _around_many(p, v, f) → …",
+            "size for it: winding_of_mesh(p.reshape(-1, 3), v, f).reshape(p.shape[:-1]) → …",
         ),
     },
     "polyhedra_intersect": {
@@ -356,10 +339,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: (time, distance - … → (np.abs(time), …",
             "size for it: distance - radius_a → …",
             "size for it: distance - radius_a - radius_b → distance - radius_a - np.abs(radius_b)",
-        ),
-        UNIT: (
-            "factor forgotten: np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed → np.maximum…",
-            "product for ratio: np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed → …",
         ),
     },
     "separation": {ORDER: ("results swapped: (position, first, second) → (position, second, first)",)},
@@ -399,10 +378,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "branch dropped: np.where(meets, discriminant, 0.0) → shaped(discriminant, meets)",
         ),
         NOT_NEGATIVE: ("size for it: …",),
-        UNIT: (
-            "…: (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * (metre / speed) → (distance…",
-            "…: metre / speed → …",
-        ),
     },
     "sweep_sphere_sphere": {
         NOT_NEGATIVE: ("size for it: …",),
@@ -418,11 +393,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "ray_box": {NOT_NEGATIVE: ("half_extents: size for it",)},
     "in_all": {
-        "It matters only where a time leaves the range of the floats.": (
-            "condition dropped: (entry <= leaving) & (entry < np.inf) → entry <= leaving",
-            "boundary: entry < np.inf → entry <= np.inf",
-            "condition dropped: entry < np.inf → always(entry < np.inf)",
-        ),
         NOT_NEGATIVE: ("size for it: (np.where(meets, entry, np.inf), … → (np.abs(…",),
     },
     "time_between": {
@@ -467,12 +437,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "boundary: there <= 1 → there < 1",
         ),
         NOT_NEGATIVE: ("size for it: np.minimum(…",),
-        UNIT: (
-            "factor forgotten: place / metre → place",
-            "product for ratio: place / metre → place * metre",
-            "factor forgotten: rate / metre → rate",
-            "product for ratio: rate / metre → rate * metre",
-        ),
     },
     "motion_bound": {
         TWICE: ("angular_velocity: sign flipped", "cross product turned round: np.cross(n, w) → np.cross(w, n)"),
@@ -608,7 +572,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "mesh_step": {
         NOT_NEGATIVE: POSITIVE_PARTS,
-        UNIT_OF_LENGTHS: ("in lengths: factor forgotten: length * unit → unit",),
     },
     "onto_nodes": {
         ONE_MESH: (
@@ -628,10 +591,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "diagonals": {
         "Mirrored, the same springs are needed.": ("position: sign flipped",),
-        UNIT_OF_LENGTHS: (
-            "in lengths: factor forgotten: length * unit → unit",
-            "in lengths: ratio for product: length * unit → unit / length",
-        ),
         "A row that raises no rank may be kept: it raises none later either.": (
             "boundary: raised > rank → raised >= rank (2)",
             "condition dropped: raised > rank → always(raised > rank) (2)",
@@ -656,14 +615,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "results swapped: (u, -u) → (-u, u)",
         ),
     },
-    "lengths": {
-        UNIT_OF_LENGTHS: (
-            "branch dropped: length * unit if unit.ndim else length → …",
-            "factor forgotten: length * unit → length",
-            "ratio for product: length * unit → length / unit",
-        ),
-        NOT_NEGATIVE: ("size for it: length * unit if unit.ndim else length → …",),
-    },
+    "lengths": {NOT_NEGATIVE: ("size for it: …",)},
     "timestep_bound": {
         "No shape makes a spring stiffer than its stiffness.": (
             "rest_length of mesh: left out",
