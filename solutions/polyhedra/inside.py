@@ -158,7 +158,7 @@ def winding_number(
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
     if p.size * len(f) > FEW:
-        return winding_of_mesh(p.reshape(-1, 3), v, f).reshape(p.shape[:-1])
+        return winding_of_mesh(p, v, f)
     return np.asarray(
         np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi)
     )

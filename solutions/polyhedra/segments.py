@@ -289,9 +289,8 @@ def _stretch(
     At the first it has passed the last of the sides that it starts outside of.
     At the second it passes the first of the sides that it ends outside of.
     """
-    inward = np.cross(
-        normal[..., None, :], np.roll(corners, -1, axis=-2) - corners
-    )
+    sides = np.roll(corners, -1, axis=-2) - corners
+    inward = np.cross(normal[..., None, :], sides)
     s0, s1 = (
         np.vecdot(inward, p[..., None, :] - corners),
         np.vecdot(inward, q[..., None, :] - corners),
@@ -305,7 +304,10 @@ def _stretch(
         axis=(-2, -1),
     )
     # A segment along a side does not cross it, although rounding may say so.
-    on = -ROUNDING * np.linalg.norm(inward, axis=-1) * size[..., None]
+    # The normal is at right angles to the sides, so their lengths multiply.
+    length = np.linalg.norm(normal, axis=-1, keepdims=True)
+    length = length * np.linalg.norm(sides, axis=-1)
+    on = -ROUNDING * length * size[..., None]
     share = _share(s0, s1)
     first, last = (
         np.where((s0 < on) & (s1 >= on), share, 0.0),

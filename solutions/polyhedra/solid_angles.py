@@ -87,13 +87,15 @@ def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
 
 
 def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
-    """How often the faces of a mesh go round points (p, 3)."""
-    few = len(point) <= MANY_POINTS and len(point) * len(faces) <= MANY_ANGLES
-    if few or len(point) <= FEW_POINTS:
-        return sum_of_angles(point, vertices, faces)
+    """How often the faces of a mesh go round points (..., 3)."""
+    rows, shape = point.reshape(-1, 3), point.shape[:-1]
+    few = len(rows) <= MANY_POINTS and len(rows) * len(faces) <= MANY_ANGLES
+    if few or len(rows) <= FEW_POINTS:
+        return sum_of_angles(rows, vertices, faces).reshape(shape)
     # Vertices at one place count as one, so that loose triangles have no rims.
     places, number = np.unique(vertices, axis=0, return_inverse=True)
-    return winding_of_part(point, places, number.reshape(-1)[faces])
+    faces = number.reshape(-1)[faces]
+    return winding_of_part(rows, places, faces).reshape(shape)
 
 
 def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:

@@ -228,7 +228,7 @@ CASES = [
 
 CHANGES = [
     np.array(units) * sign * power
-    for power in (66, 133)  # some 1e20 and 1e40
+    for power in (66, 133, 190)  # some 1e20, 1e40 and 1e57
     for sign in (1, -1)
     for units in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 0, -1))
 ]

@@ -44,7 +44,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "This root is taken only while the body does not approach, and then the velocity is not negative.": (
             "size for it: u + root → np.abs(u) + root",
         ),
+        "The root of a negative number is not used.": (
+            "limit dropped: np.maximum(squared, 0.0) → shaped(squared, 0.0)",
+        ),
         NOT_NEGATIVE: (
+            "size for it: u * u - 2 * a * s → np.abs(u * u) - 2 * a * s",
             "size for it: root - u → np.abs(root) - u",
             "size for it: u + root → u + np.abs(root)",
             "size for it: np.where(arrives, …",
@@ -100,6 +104,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "roll_step": {
         "The velocity and the impulse lie along the floor, and the arm is vertical.": (
             "velocity: axis 2 left out",
+            "in clamp_to_circle: axis 2 left out: np.linalg.norm(force, axis=-1) → …",
             "axis 2 left out: np.cross(omega, arm) → …",
             "axis 0 left out: np.cross(arm, impulse) → np.cross(without(0, arm), impulse)",
             "axis 1 left out: np.cross(arm, impulse) → np.cross(without(1, arm), impulse)",
@@ -193,6 +198,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "branch dropped: np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
         ),
         "The bound of what counts as rounding may be another one.": (
+            "largest component: np.linalg.norm(…",
+            "sum of components: np.linalg.norm(…",
+            "axis … left out: np.linalg.norm(r, axis=-1) → …",
             "factor forgotten: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER",
             "ratio for product: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER / np.linalg.norm(r, axis=-1)",
         ),
@@ -311,7 +319,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "condition dropped: p.size * len(f) > FEW → …",
             "factor forgotten: p.size * len(f) → …",
             "ratio for product: p.size * len(f) → …",
-            "size for it: winding_of_mesh(p.reshape(-1, 3), v, f).reshape(p.shape[:-1]) → …",
+            "size for it: winding_of_mesh(p, v, f) → …",
         ),
     },
     "polyhedra_intersect": {
@@ -416,7 +424,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "branch dropped: np.where(moves, first, -sign * np.inf) → shaped(first, moves)",
             "factor forgotten: -sign * np.inf → -sign",
             "ratio for product: -sign * np.inf → …",
-            "factor forgotten: sign * np.inf → np.inf",
             "ratio for product: sign * np.inf → np.inf / sign",
         ),
     },
@@ -591,6 +598,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "diagonals": {
         "Mirrored, the same springs are needed.": ("position: sign flipped",),
+        "A row may be longer or shorter.": (
+            "in lengths: root forgotten: …",
+            "in lengths: axis … left out: …",
+            "in lengths: axis 1 alone: …",
+        ),
         "A row that raises no rank may be kept: it raises none later either.": (
             "boundary: raised > rank → raised >= rank (2)",
             "condition dropped: raised > rank → always(raised > rank) (2)",

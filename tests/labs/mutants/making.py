@@ -83,7 +83,8 @@ CHECKS |= {"as_mesh": _springs, "checked_edges": _edges, "node_vectors": _vector
 OF_A_WORLD = ("candidate_pairs", "collect_contacts", "resting_problem", "solve_by_sweeps", "respond",
               "rotate_by_momentum")  # fmt: skip
 """What a student writes of a world: each is mutated by itself, because a step calls them all."""
-NOT_ASKED = (*OF_A_WORLD, "blocks", "boxes_that_meet", "_faces_above", "_stretch", "inside_by_parity")  # fmt: skip
+NOT_ASKED = (*OF_A_WORLD, "blocks", "boxes_that_meet", "_faces_above", "_stretch", "winding_of_mesh",
+             "inside_by_parity")  # fmt: skip
 """Helpers that save time or memory, or are there for numbers and cases that no lab asks for: they stay as they are.
 
 So does `inside_by_parity` where another function calls it: what it makes of rays along edges is for its own checks.
