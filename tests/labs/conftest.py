@@ -63,22 +63,23 @@ def one_worker(monkeypatch) -> None:
 def engines_missing(folder: Path) -> Iterator[None]:
     """Let none be imported, neither here nor in a worker, nor its version be known here."""
     packages = [package for name in engine_names() if (package := load_engine(name).package)]
-    version = importlib.metadata.version
+    sources = {name for engine in engine_names() for name in load_engine(engine).sources()}
+    distribution = importlib.metadata.distribution
 
     def forget() -> None:
         stop_workers()  # those that are idle have imported them already
         absent.cache_clear()
 
-    def version_of_others(package: str) -> str:
-        if package in packages:
-            raise importlib.metadata.PackageNotFoundError(package)
-        return version(package)
+    def all_others(name: str) -> importlib.metadata.Distribution:
+        if name in sources:
+            raise importlib.metadata.PackageNotFoundError(name)
+        return distribution(name)
 
     for package in packages:
         (folder / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(folder))
-        patch.setattr(importlib.metadata, "version", version_of_others)
+        patch.setattr(importlib.metadata, "distribution", all_others)
         forget()
         yield
     forget()
