@@ -6,11 +6,14 @@ import base64
 import functools
 import hashlib
 import importlib.metadata
+import tomllib
 from collections.abc import Sequence
 from importlib.metadata import Distribution, PackagePath
 from pathlib import Path
 
 _BINARIES = ".so", ".pyd"
+_PROJECT = "collisions-lab"
+_TREE = Path(__file__).parents[2]
 
 
 def installed(names: Sequence[str], module: str) -> Distribution | None:
@@ -25,9 +28,21 @@ def installed(names: Sequence[str], module: str) -> Distribution | None:
 
 
 def lab_version() -> str:
-    """The version of this project; empty where its tree was unpacked and not installed, as on Colab."""
-    found = _known("collisions-lab")
+    """The version of this project: what its tree says, unpacked as on Colab or in place; else what is installed."""
+    if (says := _of_tree(_TREE)) is not None:
+        return says
+    found = _known(_PROJECT)
     return found.version if found else ""
+
+
+@functools.cache
+def _of_tree(root: Path) -> str | None:
+    """The version in a tree's `pyproject.toml`; None where there is none of this project, as in a wheel."""
+    try:
+        project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    except (OSError, tomllib.TOMLDecodeError, KeyError):
+        return None
+    return str(project["version"]) if project.get("name") == _PROJECT else None
 
 
 def _known(name: str) -> Distribution | None:

@@ -59,9 +59,14 @@ def installed(folder, name, version, written):
     (folder / "bullet.cpython-313-x86_64-linux-gnu.so").write_bytes(written)
 
 
-def test_a_tree_that_is_not_installed_has_no_version_and_runs(monkeypatch):
-    monkeypatch.setattr(distributions, "_known", lambda name: None)
+def test_a_tree_that_is_not_installed_still_knows_its_version(tmp_path, monkeypatch):
+    """On Colab the lab is unpacked, with its `pyproject.toml`; a wheel has none, and is installed."""
     engine = load_engine("handwritten")
+    installed_as = importlib.metadata.version("collisions-lab")
+    monkeypatch.setattr(distributions, "_known", lambda name: None)
+    assert (engine.version(), engine.versions()["adapter_version"]) == (installed_as, installed_as)
+    (tmp_path / "pyproject.toml").write_text('[project]\nname = "somebody-elses"\nversion = "9"\n')
+    monkeypatch.setattr(distributions, "_TREE", tmp_path)
     assert (engine.version(), engine.versions()["adapter_version"]) == ("", "")
 
 
