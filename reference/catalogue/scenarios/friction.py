@@ -291,7 +291,10 @@ INCLINE = Family(
     curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "distance, m", way_of),
     convergence=Convergence("μ=0.3,θ=20°", "way"),
     grid=Grid(
-        (Parameter("friction", "", TENTHS, 0.3), Parameter("angle", "°", (3.0, 10.0, 20.0, 30.0, 40.0), 20.0)),
+        (
+            Parameter("friction", "", (0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0), 0.3),
+            Parameter("angle", "°", (3.0, 10.0, 20.0, 30.0, 40.0), 20.0),
+        ),
         (1e-3, 2e-3, 5e-3),
         lambda friction, angle: _incline(friction, angle),
     ),

@@ -11,7 +11,7 @@ from reference import truth
 from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
-from reference.catalogue.grid import TENTHS, Grid, Parameter
+from reference.catalogue.grid import Grid, Parameter
 from reference.engines.base import AT_STEP, EXACT, Method
 from reference.prediction import striking
 from reference.scene.scenario import Body, Pair, Scenario, Sphere
@@ -179,7 +179,7 @@ TWO_BALLS = Family(
     convergence=Convergence("e=1,m=1,b=0.5", "way"),
     grid=Grid(
         (
-            Parameter("restitution", "", TENTHS, 1.0),
+            Parameter("restitution", "", (0.0, 0.3, 0.5, 0.8, 1.0), 1.0),
             Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0, in_ratio=True),
             Parameter("offset", "", (0.0, 0.3, 0.5, 0.8), 0.5),
         ),
