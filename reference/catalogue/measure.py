@@ -9,7 +9,6 @@ and the instant of impact are those of the flight itself, however coarse the sam
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -115,24 +114,6 @@ def impact_times(trajectory: Trajectory, body: str, plane: str) -> Array:
     end = trajectory.times[-1]
     landings = np.array([flight.landing_time for flight in flights(trajectory, body, plane)])
     return np.asarray(landings[landings <= end])
-
-
-def restitution_coefficients(trajectory: Trajectory, body: str, plane: str) -> Array:
-    """Speed after over speed before each impact, from the parabolas of the flights on both sides.
-
-    A flight too short to hold two samples is not seen, so the flights on both sides of it have two impacts between
-    them: where a sample in between shows the body off the plane, this pair is left out. A flight that fits between two
-    samples leaves no trace, but the next one is no longer than it, where no impact adds speed, and is not seen either.
-    """
-    found, gap = flights(trajectory, body, plane), separation(trajectory, body, plane)
-    high = trajectory.times[gap > ROUNDING]
-    return np.array(
-        [
-            after.launch_speed / before.landing_speed
-            for before, after in pairwise(found)
-            if not np.any((before.landing_time < high) & (high < after.launch_time))
-        ]
-    )
 
 
 def rest_time(trajectory: Trajectory, body: str, speed: float = REST_SPEED) -> float:

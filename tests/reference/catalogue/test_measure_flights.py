@@ -39,42 +39,6 @@ def test_the_instants_of_impact_are_exact_however_the_ball_is_sampled(sampling, 
     assert measure.impact_times(made, "ball", "floor") == pytest.approx(launches, abs=EXACT)
 
 
-@given(SAMPLINGS, RESTITUTION)
-def test_restitution_is_read_from_the_flights_on_both_sides(sampling, restitution):
-    made, _ = three_impacts(sampling, restitution)
-    assert measure.restitution_coefficients(made, "ball", "floor") == pytest.approx([restitution] * 3, abs=EXACT)
-
-
-@pytest.mark.parametrize(("phase", "left_out"), [(0.05, 1), (0.25, 1), (0.5, 0), (0.75, 0), (0.95, 1)])
-def test_two_impacts_with_an_unseen_flight_between_are_not_one(phase, left_out):
-    # The last flight that is seen lasts little more than a sample interval. Whether the one before it, longer by 1/e,
-    # holds two samples or only one hangs on the phase.
-    made, _ = bouncing(sampled(4.0, 0.02, phase, 0.0), 0.8)
-    found = measure.restitution_coefficients(made, "ball", "floor")
-    assert len(measure.flights(made, "ball", "floor")) - 1 - len(found) == left_out
-    assert found == pytest.approx([0.8] * len(found), abs=EXACT)
-
-
-def test_flights_are_skipped_only_if_the_body_leaves_the_plane_between():
-    # Two samples before, one or none inside a hop of 0.1 s, and two after it, of a ball that keeps its speed
-    times = np.array([0.3, 0.35, 0.5, 0.6, 0.7])
-    hop = np.array([0.4, 0.55])  # when it leaves the plane and when it is back
-    gap = np.select(
-        [times < hop[0], times < hop[1]],
-        [G / 2 * (hop[0] - times) * (times + 0.6), G / 2 * (times - hop[0]) * (hop[1] - times)],
-        G / 2 * (times - hop[1]) * (1.55 - times),
-    )
-    velocity = np.select(
-        [times < hop[0], times < hop[1]], [-G * (times + 0.1), G * (hop.mean() - times)], G * (1.05 - times)
-    )
-    seen = trajectory(times, upright(gap), velocity[:, None] * (0.0, 0.0, 1.0))
-    assert len(measure.flights(seen, "ball", "floor")) == 2
-    assert len(measure.restitution_coefficients(seen, "ball", "floor")) == 0
-    resting = np.where(times == 0.5, -1e-3, gap)  # pressed in, as by a contact that takes its time
-    pressed = trajectory(times, upright(resting), velocity[:, None] * (0.0, 0.0, 1.0))
-    assert measure.restitution_coefficients(pressed, "ball", "floor") == pytest.approx([1.0], abs=EXACT)
-
-
 def test_a_flight_knows_when_and_how_fast_it_began_topped_and_ended():
     made, launches = bouncing(np.arange(0, 1.5, 0.01), 0.8)
     first, second = measure.flights(made, "ball", "floor")[:2]
@@ -159,7 +123,6 @@ def test_a_body_that_lies_on_the_plane_makes_no_flight():
     assert measure.flights(made, "ball", "floor") == []
     assert len(measure.apex_heights(made, "ball", "floor")) == 0
     assert len(measure.impact_times(made, "ball", "floor")) == 0
-    assert len(measure.restitution_coefficients(made, "ball", "floor")) == 0
 
 
 def test_a_fall_behind_the_plane_is_no_flight_above_it():
