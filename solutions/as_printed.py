@@ -28,10 +28,16 @@ def point_plane_collision(
     √(a² + b² + c²). The right functions are `signed_distance` and `side_of_plane`.
     """
     plane = np.asarray(coefficients, dtype=float)
-    return np.asarray(np.sum(plane[..., :3] * np.asarray(point, dtype=float), axis=-1) + plane[..., 3] < 0)
+    return np.asarray(
+        np.sum(plane[..., :3] * np.asarray(point, dtype=float), axis=-1)
+        + plane[..., 3]
+        < 0
+    )
 
 
-def time_of_impact(t: ArrayLike, dt: ArrayLike, d1: ArrayLike, d2: ArrayLike) -> Array:
+def time_of_impact(
+    t: ArrayLike, dt: ArrayLike, d1: ArrayLike, d2: ArrayLike
+) -> Array:
     """Slide 5: T = t + Δt d1/(d1 + d2), (...), s.
 
     Slide 4 gives signed distances, and behind the plane d2 is negative. T then lies
@@ -63,20 +69,27 @@ def penalty_force(stiffness: ArrayLike, distance: ArrayLike) -> Array:
     still be kept from pulling before the contact; and without damping every impact is
     elastic. The right function is `penalty_force` of `solutions.response`.
     """
-    return np.asarray(np.asarray(stiffness, dtype=float) * np.asarray(distance, dtype=float))
+    return np.asarray(
+        np.asarray(stiffness, dtype=float) * np.asarray(distance, dtype=float)
+    )
 
 
 # Friction
 
 
-def static_friction_force(normal_force: ArrayLike, static_friction: ArrayLike) -> Array:
+def static_friction_force(
+    normal_force: ArrayLike, static_friction: ArrayLike
+) -> Array:
     """Slide 24: F_s = μ_s F_N, (...), N, a number without a direction.
 
     Taken as the force of friction, it sets a body in motion that nothing pushes, and it
     pushes back harder than one pushes. It is only the largest value that static
     friction can take. The right functions are `holds` and `friction_force`.
     """
-    return np.asarray(np.asarray(static_friction, dtype=float) * np.asarray(normal_force, dtype=float))
+    return np.asarray(
+        np.asarray(static_friction, dtype=float)
+        * np.asarray(normal_force, dtype=float)
+    )
 
 
 # Impulse
@@ -92,7 +105,10 @@ def velocity_after_restitution(
     the reversal, two points that approach each other continue to approach, only more
     slowly. The right function is `rebound_velocity`.
     """
-    return np.asarray(np.asarray(restitution, dtype=float) * np.asarray(normal_velocity, dtype=float))
+    return np.asarray(
+        np.asarray(restitution, dtype=float)
+        * np.asarray(normal_velocity, dtype=float)
+    )
 
 
 def velocities_after_impulse(
@@ -109,8 +125,14 @@ def velocities_after_impulse(
     `apply_impulse`.
     """
     j = np.asarray(impulse, dtype=float)
-    after_a = np.asarray(velocity_a, dtype=float) + j / np.asarray(mass_a, dtype=float)[..., None]
-    after_b = np.asarray(velocity_b, dtype=float) + j / np.asarray(mass_b, dtype=float)[..., None]
+    after_a = (
+        np.asarray(velocity_a, dtype=float)
+        + j / np.asarray(mass_a, dtype=float)[..., None]
+    )
+    after_b = (
+        np.asarray(velocity_b, dtype=float)
+        + j / np.asarray(mass_b, dtype=float)[..., None]
+    )
     return np.asarray(after_a), np.asarray(after_b)
 
 
@@ -126,14 +148,21 @@ def contact_kind(
     away fast resting, and bodies that rest moving away. With n from B to A the first
     test is wrong too. The right function is `classify_contact`.
     """
-    v, limit = np.asarray(relative_velocity, dtype=float), np.asarray(threshold, dtype=float)
-    return np.where(v > limit, "colliding", np.where(v < -limit, "resting", "separating"))
+    v, limit = (
+        np.asarray(relative_velocity, dtype=float),
+        np.asarray(threshold, dtype=float),
+    )
+    return np.where(
+        v > limit, "colliding", np.where(v < -limit, "resting", "separating")
+    )
 
 
 # Avoidance
 
 
-def force_field(position: ArrayLike, centre: ArrayLike, strength: ArrayLike) -> Array:
+def force_field(
+    position: ArrayLike, centre: ArrayLike, strength: ArrayLike
+) -> Array:
     """Slide 1: "force fields", read as F0 (p − c)/‖p − c‖³, (..., 3), N.
 
     The slide says no more than these two words. This function gives the field no range,
@@ -146,10 +175,14 @@ def force_field(position: ArrayLike, centre: ArrayLike, strength: ArrayLike) -> 
     """
     away = np.asarray(position, dtype=float) - np.asarray(centre, dtype=float)
     distance = np.linalg.norm(away, axis=-1, keepdims=True)
-    return np.asarray(np.asarray(strength, dtype=float)[..., None] * away / distance**3)
+    return np.asarray(
+        np.asarray(strength, dtype=float)[..., None] * away / distance**3
+    )
 
 
-def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
+def seek(
+    position: ArrayLike, target: ArrayLike, max_speed: ArrayLike
+) -> Array:
     """Beside slide 1: v_wanted = v_max normalize(position − target), (..., d), m/s.
 
     The sign is wrong, so that the body flees. The formula is printed this way in
@@ -158,7 +191,11 @@ def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
     `solutions.avoidance`.
     """
     away = np.asarray(position, dtype=float) - np.asarray(target, dtype=float)
-    return np.asarray(np.asarray(max_speed, dtype=float)[..., None] * away / np.linalg.norm(away, axis=-1)[..., None])
+    return np.asarray(
+        np.asarray(max_speed, dtype=float)[..., None]
+        * away
+        / np.linalg.norm(away, axis=-1)[..., None]
+    )
 
 
 # Forces
@@ -183,7 +220,9 @@ def viscous_force(
     Read with the body's own velocity, the force brakes a body that drifts along with a
     river. The right function is `stokes_drag`.
     """
-    size = np.asarray(shape_factor, dtype=float) * np.asarray(viscosity, dtype=float)
+    size = np.asarray(shape_factor, dtype=float) * np.asarray(
+        viscosity, dtype=float
+    )
     return np.asarray(-size[..., None] * np.asarray(velocity, dtype=float))
 
 
@@ -199,7 +238,15 @@ def terminal_speed(
     The right function is `terminal_velocity`.
     """
     weight = np.asarray(mass, dtype=float) * np.asarray(gravity, dtype=float)
-    return np.asarray(weight / (6 * np.pi * np.asarray(radius, dtype=float) * np.asarray(viscosity, dtype=float)))
+    return np.asarray(
+        weight
+        / (
+            6
+            * np.pi
+            * np.asarray(radius, dtype=float)
+            * np.asarray(viscosity, dtype=float)
+        )
+    )
 
 
 def spring_force(
@@ -212,7 +259,9 @@ def spring_force(
     Taken as the force on the mass, it pushes the mass away from rest. The right
     function is `spring_force` of `solutions.forces`.
     """
-    stretch = np.asarray(displacement, dtype=float) - np.asarray(rest, dtype=float)
+    stretch = np.asarray(displacement, dtype=float) - np.asarray(
+        rest, dtype=float
+    )
     return np.asarray(np.asarray(stiffness, dtype=float) * stretch)
 
 
@@ -229,7 +278,9 @@ def spring_damper_force(
     calms it. The term −v k_d also brakes a spring that flies as a whole. The right
     function is `spring_damper_force` of `solutions.forces`.
     """
-    damped = np.asarray(damping, dtype=float) * np.asarray(velocity, dtype=float)
+    damped = np.asarray(damping, dtype=float) * np.asarray(
+        velocity, dtype=float
+    )
     return np.asarray(spring_force(displacement, rest, stiffness) - damped)
 
 
@@ -249,8 +300,12 @@ def inside_polyhedron(
     `inside_by_winding`, and for convex solids `inside_convex`.
     """
     p = np.asarray(point, dtype=float)[..., None, :]
-    a, b, c = np.moveaxis(np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0)
-    return np.asarray(np.all(np.sum(np.cross(b - a, c - a) * (p - a), axis=-1) < 0, axis=-1))
+    a, b, c = np.moveaxis(
+        np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0
+    )
+    return np.asarray(
+        np.all(np.sum(np.cross(b - a, c - a) * (p - a), axis=-1) < 0, axis=-1)
+    )
 
 
 def inside_by_touched_faces(
@@ -265,9 +320,16 @@ def inside_by_touched_faces(
     meets all the faces that share the vertex. The right function is `inside_by_parity`.
     """
     p = np.asarray(point, dtype=float)[..., None, :]
-    a, b, c = np.moveaxis(np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0)
+    a, b, c = np.moveaxis(
+        np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0
+    )
     n = np.cross(b - a, c - a)
     looks_up = np.sign(n[:, 2])
-    sides = [np.cross(end - start, p - start)[..., 2] * looks_up for start, end in ((a, b), (b, c), (c, a))]
+    sides = [
+        np.cross(end - start, p - start)[..., 2] * looks_up
+        for start, end in ((a, b), (b, c), (c, a))
+    ]
     above = np.sum(n * (p - a), axis=-1) * looks_up < 0
-    return np.asarray(np.sum(np.all(np.stack(sides) >= 0, axis=0) & above, axis=-1) % 2 == 1)
+    return np.asarray(
+        np.sum(np.all(np.stack(sides) >= 0, axis=0) & above, axis=-1) % 2 == 1
+    )

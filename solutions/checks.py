@@ -22,19 +22,19 @@ def positive(name: str, value: ArrayLike) -> Array:
 
     Infinity passes, because it is the mass of an immovable body.
     """
-    array = _real(name, value)
+    array = real(name, value)
     return _only(name, array, array > 0, "positive")
 
 
 def not_negative(name: str, value: ArrayLike) -> Array:
     """Return the value; refuse negative numbers and NaN. Infinity passes."""
-    array = _real(name, value)
+    array = real(name, value)
     return _only(name, array, array >= 0, "zero or positive")
 
 
 def whole(name: str, value: ArrayLike) -> Array:
     """Return the value; refuse NaN, fractions and bools. Infinity passes."""
-    array = _real(name, value)
+    array = real(name, value)
     if np.asarray(value).dtype == bool:
         raise ValueError(f"{name} must be a whole number, not {value!r}")
     return _only(name, array, array == np.floor(array), "a whole number")
@@ -47,20 +47,20 @@ def in_unit_interval(name: str, value: ArrayLike) -> Array:
 
 def between(name: str, value: ArrayLike, least: float, most: float) -> Array:
     """Return the value; refuse NaN and what is not from least to most."""
-    array = _real(name, value)
+    array = real(name, value)
     inside = (array >= least) & (array <= most)
     return _only(name, array, inside, f"from {least:g} to {most:g}")
 
 
 def finite(name: str, value: ArrayLike) -> Array:
     """Return the value; refuse infinity and NaN."""
-    array = _real(name, value)
+    array = real(name, value)
     return _only(name, array, np.isfinite(array), "finite")
 
 
 def vector(name: str, value: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse a last axis of another length."""
-    array = _real(name, value)
+    array = real(name, value)
     if array.shape[-1:] != (3,):
         raise ValueError(f"{name} must have shape (..., 3), not {array.shape}")
     return array
@@ -82,7 +82,7 @@ def matrix(name: str, value: ArrayLike) -> Array:
 
 def unit(name: str, vector: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse every vector whose length is not 1."""
-    array = _real(name, vector)
+    array = real(name, vector)
     length = np.linalg.norm(array, axis=-1)
     wrong = ~(np.abs(length - 1) <= UNIT_TOLERANCE)  # true for NaN
     if np.any(wrong):
@@ -93,15 +93,24 @@ def unit(name: str, vector: ArrayLike) -> Array:
 
 def of_shape(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
     """Return an array of this shape of its own, into which the value is spread."""
-    array = _real(name, value)
+    array = real(name, value)
     try:
         return np.array(np.broadcast_to(array, shape))
     except ValueError:
-        raise ValueError(f"{name} must have the shape {shape}, or one that fits it, not {array.shape}") from None
+        raise ValueError(
+            f"{name} must have the shape {shape}, or one that fits it, not {array.shape}"
+        ) from None
 
 
-def _real(name: str, value: ArrayLike) -> Array:
+def truth(name: str, value: ArrayLike) -> Booleans:
+    """Return the value as True and False."""
+    return np.asarray(value, dtype=bool)
+
+
+def real(name: str, value: ArrayLike) -> Array:
     """Return the value as floats; refuse complex numbers and no numbers."""
+    if isinstance(value, np.ndarray) and value.dtype == np.float64:
+        return value
     try:
         array = np.asarray(value)
         if array.dtype.kind != "c":

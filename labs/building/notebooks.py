@@ -176,10 +176,21 @@ def stub(excerpts: TopicExcerpts, name: str, again: bool = False) -> str:
     """
     source = excerpts.defining(name).text
     function = next(node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
-    entry = lecture.function(name)
-    contract = without_notes("\n".join(source.split("\n")[: function.body[0].end_lineno]))
+    entry, description = lecture.function(name), function.body[0]
+    lines = source.split("\n")[description.lineno - 1 : description.end_lineno]
+    contract = without_notes("\n".join([*_header(function), *lines]))
     _refuse_answers(entry.topic, name, contract)
     return "\n".join([contract, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
+
+
+def _header(function: ast.FunctionDef) -> list[str]:
+    """The header of a function without its types: in one line where that fits, else each argument in a line."""
+    given = function.args
+    names = [argument.arg for argument in given.args]
+    first = len(names) - len(given.defaults)
+    each = names[:first] + [f"{name}={ast.unparse(it)}" for name, it in zip(names[first:], given.defaults, strict=True)]
+    whole = f"def {function.name}({', '.join(each)}):"
+    return [whole] if len(whole) <= WIDTH else [f"def {function.name}(", *(f"    {one}," for one in each), "):"]
 
 
 def draft_stub(topic: str, cell: Cell, before: int) -> str:

@@ -17,7 +17,12 @@ from solutions.forces.accumulator import (
 )
 from solutions.forces.correlations import LARGEST_REYNOLDS, drag_correction
 from solutions.forces.drag import buoyancy, stokes_drag
-from solutions.forces.falling import drag_motion, relaxation_time, terminal_velocity, terminal_velocity_corrected
+from solutions.forces.falling import (
+    drag_motion,
+    relaxation_time,
+    terminal_velocity,
+    terminal_velocity_corrected,
+)
 from solutions.forces.gravity import (
     GRAVITATIONAL_CONSTANT,
     STANDARD_GRAVITY,
@@ -35,11 +40,26 @@ from solutions.forces.integrators import (
     semi_implicit_euler,
     velocity_verlet,
 )
-from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
+from solutions.forces.oscillators import (
+    damped_oscillator,
+    damping_ratio,
+    friction_oscillator,
+    natural_frequency,
+)
 from solutions.forces.resonance import driven_oscillator
-from solutions.forces.reynolds import STOKES_LIMIT, StokesRegimeWarning, check_stokes_regime, reynolds_number
+from solutions.forces.reynolds import (
+    STOKES_LIMIT,
+    StokesRegimeWarning,
+    check_stokes_regime,
+    reynolds_number,
+)
 from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
-from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
+from solutions.forces.springs import (
+    damper_force,
+    spring_damper_force,
+    spring_energy,
+    spring_force,
+)
 from solutions.forces.stability import spring_step_limit
 from solutions.forces.total import total_force
 from solutions.forces.wind import sample_field, wind_force

@@ -50,7 +50,9 @@ class Force:
 
     def __post_init__(self) -> None:
         if self.tag not in get_args(Tag):
-            raise ValueError(f"tag must be one of {', '.join(get_args(Tag))}, not {self.tag!r}")
+            raise ValueError(
+                f"tag must be one of {', '.join(get_args(Tag))}, not {self.tag!r}"
+            )
 
 
 def evaluate_forces(
@@ -75,10 +77,17 @@ def evaluate_forces(
         If two forces have the same name.
     """
     if len({each.name for each in forces}) < len(forces):
-        raise ValueError(f"forces must have names of their own, not {', '.join(each.name for each in forces)}")
+        raise ValueError(
+            f"forces must have names of their own, not {', '.join(each.name for each in forces)}"
+        )
     p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
     shape = np.broadcast_shapes(p.shape, v.shape)
-    return {each.name: np.broadcast_to(np.asarray(each.force(p, v), dtype=float), shape) for each in forces}
+    return {
+        each.name: np.broadcast_to(
+            np.asarray(each.force(p, v), dtype=float), shape
+        )
+        for each in forces
+    }
 
 
 def acceleration_of(
@@ -114,8 +123,16 @@ def acceleration_of(
     m = positive("mass", mass)[..., None]
 
     def acceleration(position: Array, velocity: Array) -> Array:
-        zero = np.zeros(np.broadcast_shapes(np.shape(position), np.shape(velocity)))
-        return np.asarray(sum(evaluate_forces(forces, position, velocity).values(), start=zero) / m)
+        zero = np.zeros(
+            np.broadcast_shapes(np.shape(position), np.shape(velocity))
+        )
+        return np.asarray(
+            sum(
+                evaluate_forces(forces, position, velocity).values(),
+                start=zero,
+            )
+            / m
+        )
 
     return acceleration
 
@@ -141,7 +158,9 @@ class EnergyAudit:
 
         It is the error of the integrator and of the audit.
         """
-        return np.asarray(self.kinetic - self.kinetic[0] - sum(self.work.values()))
+        return np.asarray(
+            self.kinetic - self.kinetic[0] - sum(self.work.values())
+        )
 
     def mechanical(self) -> Array:
         """Kinetic and potential energy together, (T,), J.
@@ -185,13 +204,29 @@ def audit_energy(
     at the T states. The trapezoidal rule takes it as linear between two states, so that
     an interval of length dt adds the mean of its two powers times dt.
     """
-    p, v, m = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float), positive("mass", mass)
+    p, v, m = (
+        np.asarray(position, dtype=float),
+        np.asarray(velocity, dtype=float),
+        positive("mass", mass),
+    )
     if p.ndim != 3 or p.shape != v.shape:
-        raise ValueError(f"position and velocity must have the same shape (T, N, 3), not {p.shape} and {v.shape}")
-    kinetic = np.sum(np.where(np.isfinite(m), m, 0.0)[:, None] * v**2, axis=(1, 2)) / 2
+        raise ValueError(
+            f"position and velocity must have the same shape (T, N, 3), not {p.shape} and {v.shape}"
+        )
+    kinetic = (
+        np.sum(np.where(np.isfinite(m), m, 0.0)[:, None] * v**2, axis=(1, 2))
+        / 2
+    )
     found = evaluate_forces(forces, p, v)
-    work = {name: _integral(_power(force, v), np.asarray(dt, dtype=float)) for name, force in found.items()}
-    potential = {each.name: np.asarray(each.potential(p), dtype=float) for each in forces if each.potential is not None}
+    work = {
+        name: _integral(_power(force, v), np.asarray(dt, dtype=float))
+        for name, force in found.items()
+    }
+    potential = {
+        each.name: np.asarray(each.potential(p), dtype=float)
+        for each in forces
+        if each.potential is not None
+    }
     return EnergyAudit(kinetic, work, potential)
 
 

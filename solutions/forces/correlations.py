@@ -45,7 +45,9 @@ def drag_correction(reynolds: ArrayLike) -> Array:
     """
     given = not_negative("reynolds", reynolds)
     if np.any(given > LARGEST_REYNOLDS):
-        raise ValueError(f"reynolds must be at most {LARGEST_REYNOLDS:g}, not {given.max():g}")
+        raise ValueError(
+            f"reynolds must be at most {LARGEST_REYNOLDS:g}, not {given.max():g}"
+        )
     re = np.maximum(given, 0.01)
     w = np.log10(re)
     ends = [re <= 20, re <= 260, re <= 1500, re <= 1.2e4, re <= 4.4e4]
@@ -56,5 +58,7 @@ def drag_correction(reynolds: ArrayLike) -> Array:
     ]
     last = 10 ** (-4.3390 + 1.5809 * w - 0.1546 * w**2)
     low = [1 + 0.1315 * re ** (0.82 - 0.05 * w), 1 + 0.1935 * re**0.6305]
-    fit = np.select(ends, low + [c * re / 24 for c in coefficients], last * re / 24)
+    fit = np.select(
+        ends, low + [c * re / 24 for c in coefficients], last * re / 24
+    )
     return np.where(given < 0.01, 1 + 3 / 16 * given, fit)

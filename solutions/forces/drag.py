@@ -50,12 +50,21 @@ def stokes_drag(
     has the K of a sphere, and `spheroid_shape_factors` those of longer and
     flatter bodies.
     """
-    relative = vector("velocity", velocity) - vector("fluid_velocity", fluid_velocity)
-    size = 6 * np.pi * not_negative("radius", radius) * not_negative("viscosity", viscosity)
+    relative = vector("velocity", velocity) - vector(
+        "fluid_velocity", fluid_velocity
+    )
+    size = (
+        6
+        * np.pi
+        * not_negative("radius", radius)
+        * not_negative("viscosity", viscosity)
+    )
     return np.asarray(-size[..., None] * relative)
 
 
-def buoyancy(volume: ArrayLike, fluid_density: ArrayLike, gravity: ArrayLike) -> Array:
+def buoyancy(
+    volume: ArrayLike, fluid_density: ArrayLike, gravity: ArrayLike
+) -> Array:
     """Lift by the fluid that a body displaces (slide 26).
 
     The slide leaves it out.
@@ -86,5 +95,7 @@ def buoyancy(volume: ArrayLike, fluid_density: ArrayLike, gravity: ArrayLike) ->
 
     on the fluid, and also on the body in its place.
     """
-    displaced = not_negative("fluid_density", fluid_density) * not_negative("volume", volume)
+    displaced = not_negative("fluid_density", fluid_density) * not_negative(
+        "volume", volume
+    )
     return np.asarray(-displaced[..., None] * vector("gravity", gravity))

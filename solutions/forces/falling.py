@@ -43,7 +43,11 @@ def relaxation_time(
         τ = m/(K η)
     """
     return np.asarray(
-        positive("mass", mass) / (positive("shape_factor", shape_factor) * positive("viscosity", viscosity))
+        positive("mass", mass)
+        / (
+            positive("shape_factor", shape_factor)
+            * positive("viscosity", viscosity)
+        )
     )
 
 
@@ -96,10 +100,18 @@ def terminal_velocity(
 
         v_t = 2 (ρ_s − ρ_f) r² g/(9 η)
     """
-    r, eta, rho = positive("radius", radius), positive("viscosity", viscosity), not_negative("density", density)
+    r, eta, rho = (
+        positive("radius", radius),
+        positive("viscosity", viscosity),
+        not_negative("density", density),
+    )
     excess = rho - not_negative("fluid_density", fluid_density)
-    found = np.asarray((2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity))
-    check_stokes_regime(reynolds_number(found, np.zeros(3), r, fluid_density, eta))
+    found = np.asarray(
+        (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
+    )
+    check_stokes_regime(
+        reynolds_number(found, np.zeros(3), r, fluid_density, eta)
+    )
     return found
 
 
@@ -146,11 +158,17 @@ def drag_motion(
     Together they are v_t τ (x − 1 + e^(−x)) with x = t/τ, which is summed as a power
     series where x is small.
     """
-    p, v, last = vector("position", position), vector("velocity", velocity), vector("terminal", terminal)
+    p, v, last = (
+        vector("position", position),
+        vector("velocity", velocity),
+        vector("terminal", terminal),
+    )
     tau = finite("relaxation", positive("relaxation", relaxation))[..., None]
     time = np.asarray(dt, dtype=float)[..., None]
     lost = -np.expm1(-time / tau)
-    return p + v * tau * lost + last * tau * _falling_behind(time / tau), v + (last - v) * lost
+    return p + v * tau * lost + last * tau * _falling_behind(time / tau), v + (
+        last - v
+    ) * lost
 
 
 def _falling_behind(x: Array) -> Array:
@@ -216,13 +234,25 @@ def terminal_velocity_corrected(
         positive("viscosity", viscosity),
     )
     excess = not_negative("density", density) - rho
-    stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
+    stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector(
+        "gravity", gravity
+    )
     target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
     low, high = np.zeros_like(target), np.minimum(2 * target, LARGEST_REYNOLDS)
     if np.any(high * correction(high) < target):
-        raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
+        raise ValueError(
+            f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}"
+        )
     for _ in range(60):
         middle = (low + high) / 2
         slower = middle * correction(middle) < target
-        low, high = np.where(slower, middle, low), np.where(slower, high, middle)
-    return np.asarray(stokes * np.where(target > 0, high / np.where(target > 0, target, 1.0), 1.0)[..., None])
+        low, high = (
+            np.where(slower, middle, low),
+            np.where(slower, high, middle),
+        )
+    return np.asarray(
+        stokes
+        * np.where(target > 0, high / np.where(target > 0, target, 1.0), 1.0)[
+            ..., None
+        ]
+    )

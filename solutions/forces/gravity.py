@@ -200,15 +200,29 @@ def mutual_gravity(
     """
     m, x = np.asarray(mass, dtype=float), vector("position", position)
     softening = np.asarray(softening, dtype=float)[..., None, None]
-    on_1_by_2 = universal_gravity(m[..., :, None], m[..., None, :], x[..., :, None, :], x[..., None, :, :], softening)
+    on_1_by_2 = universal_gravity(
+        m[..., :, None],
+        m[..., None, :],
+        x[..., :, None, :],
+        x[..., None, :, :],
+        softening,
+    )
     return np.asarray(on_1_by_2.sum(axis=-2))
 
 
 def _masses(mass_1: ArrayLike, mass_2: ArrayLike) -> tuple[Array, Array]:
-    return finite("mass_1", not_negative("mass_1", mass_1)), finite("mass_2", not_negative("mass_2", mass_2))
+    return finite("mass_1", not_negative("mass_1", mass_1)), finite(
+        "mass_2", not_negative("mass_2", mass_2)
+    )
 
 
-def _apart(position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike) -> tuple[Array, Array]:
+def _apart(
+    position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike
+) -> tuple[Array, Array]:
     """Vector from body 1 to body 2, and √(‖d‖² + ε²)."""
-    d = np.asarray(vector("position_2", position_2) - vector("position_1", position_1))
-    return d, np.hypot(np.linalg.norm(d, axis=-1), not_negative("softening", softening))
+    d = np.asarray(
+        vector("position_2", position_2) - vector("position_1", position_1)
+    )
+    return d, np.hypot(
+        np.linalg.norm(d, axis=-1), not_negative("softening", softening)
+    )

@@ -23,7 +23,10 @@ It is measured in units of the largest velocity component.
 
 
 def ballistic_motion(
-    position: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
     """State after a time dt of constant acceleration, exactly.
 
@@ -128,7 +131,10 @@ def semi_implicit_euler(
 
 
 def velocity_verlet(
-    position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: Acceleration,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
     """State after one step of velocity Verlet.
 
@@ -163,7 +169,10 @@ def velocity_verlet(
 
 
 def runge_kutta_4(
-    position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: Acceleration,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
     """State after one step of the classical Runge–Kutta method.
 
@@ -207,11 +216,16 @@ def runge_kutta_4(
     a3 = _at(acceleration, p + v2 * time / 2, v3)
     v4 = v + a3 * time
     a4 = _at(acceleration, p + v3 * time, v4)
-    return p + (v + 2 * v2 + 2 * v3 + v4) * time / 6, v + (a1 + 2 * a2 + 2 * a3 + a4) * time / 6
+    return p + (v + 2 * v2 + 2 * v3 + v4) * time / 6, v + (
+        a1 + 2 * a2 + 2 * a3 + a4
+    ) * time / 6
 
 
 def implicit_euler(
-    position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: Acceleration,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
     """State after one step of implicit Euler.
 
@@ -255,18 +269,28 @@ def implicit_euler(
     after = v + a * time
     for _ in range(_MOST_ITERATIONS):
         wrong = after - v - change(after)
-        correction = np.linalg.solve(_jacobian(change, after), wrong[..., None])[..., 0]
+        correction = np.linalg.solve(
+            _jacobian(change, after), wrong[..., None]
+        )[..., 0]
         after = after - correction
-        if np.max(np.abs(correction), initial=0.0) <= _CONVERGED * np.max(np.abs(after), initial=0.0):
+        if np.max(np.abs(correction), initial=0.0) <= _CONVERGED * np.max(
+            np.abs(after), initial=0.0
+        ):
             return p + after * time, after
-    raise ArithmeticError(f"implicit Euler found no velocity in {_MOST_ITERATIONS} iterations: shorten dt")
+    raise ArithmeticError(
+        f"implicit Euler found no velocity in {_MOST_ITERATIONS} iterations: shorten dt"
+    )
 
 
 def _jacobian(change: Callable[[Array], Array], velocity: Array) -> Array:
     """Derivatives (..., n, n) of v' − change(v') by central differences."""
     size = velocity.shape[-1]
     step = 1e-5 * np.maximum(np.max(np.abs(velocity), initial=0.0), 1.0)
-    columns = [(change(velocity + step * e) - change(velocity - step * e)) / (2 * step) for e in np.eye(size)]
+    columns = [
+        (change(velocity + step * e) - change(velocity - step * e))
+        / (2 * step)
+        for e in np.eye(size)
+    ]
     return np.asarray(np.eye(size) - np.stack(columns, axis=-1))
 
 

@@ -34,10 +34,14 @@ def natural_frequency(stiffness: ArrayLike, mass: ArrayLike) -> Array:
 
         ω = √(k/m)
     """
-    return np.asarray(np.sqrt(not_negative("stiffness", stiffness) / positive("mass", mass)))
+    return np.asarray(
+        np.sqrt(not_negative("stiffness", stiffness) / positive("mass", mass))
+    )
 
 
-def damping_ratio(stiffness: ArrayLike, damping: ArrayLike, mass: ArrayLike) -> Array:
+def damping_ratio(
+    stiffness: ArrayLike, damping: ArrayLike, mass: ArrayLike
+) -> Array:
     """Damping, over the least damping that keeps a spring from oscillating.
 
     Parameters
@@ -66,7 +70,10 @@ def damping_ratio(stiffness: ArrayLike, damping: ArrayLike, mass: ArrayLike) -> 
 
         ζ = c/(2√(k m))
     """
-    k, m = positive("stiffness", stiffness), finite("mass", positive("mass", mass))
+    k, m = (
+        positive("stiffness", stiffness),
+        finite("mass", positive("mass", mass)),
+    )
     return np.asarray(not_negative("damping", damping) / (2 * np.sqrt(k * m)))
 
 
@@ -119,15 +126,25 @@ def damped_oscillator(
     At t = 0, C is 1 and S is 0, which gives x0 and v0. The three cases pass into each
     other smoothly.
     """
-    x, v = np.asarray(displacement, dtype=float), np.asarray(velocity, dtype=float)
+    x, v = (
+        np.asarray(displacement, dtype=float),
+        np.asarray(velocity, dtype=float),
+    )
     time = finite("t", not_negative("t", t))
     m = positive("mass", mass)
-    beta, squared = not_negative("damping", damping) / (2 * m), not_negative("stiffness", stiffness) / m
+    beta, squared = (
+        not_negative("damping", damping) / (2 * m),
+        not_negative("stiffness", stiffness) / m,
+    )
     cosine, sine = free_response(beta, squared, time)
-    return x * cosine + (v + beta * x) * sine, v * cosine - (squared * x + beta * v) * sine
+    return x * cosine + (v + beta * x) * sine, v * cosine - (
+        squared * x + beta * v
+    ) * sine
 
 
-def free_response(beta: Array, squared: Array, time: Array) -> tuple[Array, Array]:
+def free_response(
+    beta: Array, squared: Array, time: Array
+) -> tuple[Array, Array]:
     """C and S of `damped_oscillator`, from β, ω² and the time.
 
     They are written so that no two large numbers are subtracted.
@@ -135,12 +152,21 @@ def free_response(beta: Array, squared: Array, time: Array) -> tuple[Array, Arra
     difference = beta**2 - squared
     s = np.sqrt(np.abs(difference))
     slow = squared / np.where(beta + s > 0, beta + s, 1.0)  # β − s, overdamped
-    fast_share = np.expm1(-2 * s * time)  # e^(−(β+s)t) over e^(−(β−s)t), less 1
+    fast_share = np.expm1(
+        -2 * s * time
+    )  # e^(−(β+s)t) over e^(−(β−s)t), less 1
     over = np.exp(-slow * time) * (1 + fast_share / 2)
-    over_sine = np.exp(-slow * time) * np.where(s > 0, -fast_share / np.where(s > 0, 2 * s, 1.0), time)
+    over_sine = np.exp(-slow * time) * np.where(
+        s > 0, -fast_share / np.where(s > 0, 2 * s, 1.0), time
+    )
     decay = np.exp(-beta * time)
-    under, under_sine = decay * np.cos(s * time), decay * time * np.sinc(s * time / np.pi)
-    return np.where(difference < 0, under, over), np.where(difference < 0, under_sine, over_sine)
+    under, under_sine = (
+        decay * np.cos(s * time),
+        decay * time * np.sinc(s * time / np.pi),
+    )
+    return np.where(difference < 0, under, over), np.where(
+        difference < 0, under_sine, over_sine
+    )
 
 
 def friction_oscillator(
@@ -193,18 +219,32 @@ def friction_oscillator(
     A start with a velocity is a later instant of a half swing. The function computes
     the turning point that this half swing would have come from, and begins there.
     """
-    x, v = np.asarray(displacement, dtype=float), np.asarray(velocity, dtype=float)
+    x, v = (
+        np.asarray(displacement, dtype=float),
+        np.asarray(velocity, dtype=float),
+    )
     time = finite("t", not_negative("t", t))
-    k, m = positive("stiffness", stiffness), finite("mass", positive("mass", mass))
+    k, m = (
+        positive("stiffness", stiffness),
+        finite("mass", positive("mass", mass)),
+    )
     omega, f = natural_frequency(k, m), not_negative("friction", friction) / k
-    ahead = np.sign(v) * x + f  # of the centre of the swing, in the direction of motion
+    ahead = (
+        np.sign(v) * x + f
+    )  # of the centre of the swing, in the direction of motion
     turn = np.where(v == 0, x, -np.sign(v) * (np.hypot(ahead, v / omega) + f))
-    phase = time * omega + np.where(v == 0, 0.0, np.arctan2(np.abs(v) / omega, -ahead))
+    phase = time * omega + np.where(
+        v == 0, 0.0, np.arctan2(np.abs(v) / omega, -ahead)
+    )
     # With next to no friction the mass never sticks: the number of swings is infinite.
     with np.errstate(all="ignore"):
-        until_stuck = np.where(f > 0, np.ceil((np.abs(turn) - f) / (2 * f)), np.inf)
+        until_stuck = np.where(
+            f > 0, np.ceil((np.abs(turn) - f) / (2 * f)), np.inf
+        )
     swings = np.minimum(np.floor(phase / np.pi), until_stuck)
     angle = np.where(swings >= until_stuck, 0.0, phase - np.pi * swings)
     side = np.sign(turn) * (1 - 2 * (swings % 2))
     reach = np.abs(turn) - 2 * f * swings - f
-    return side * (f + reach * np.cos(angle)), -side * omega * reach * np.sin(angle)
+    return side * (f + reach * np.cos(angle)), -side * omega * reach * np.sin(
+        angle
+    )

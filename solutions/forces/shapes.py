@@ -86,17 +86,24 @@ def spheroid_shape_factors(along: ArrayLike, across: ArrayLike) -> Array:
         K_⊥ = 16π a/Σ mᵏ (3/(2k+1) − 1/(2k+3))
     """
     a, b = np.broadcast_arrays(
-        finite("along", not_negative("along", along)), finite("across", positive("across", across))
+        finite("along", not_negative("along", along)),
+        finite("across", positive("across", across)),
     )
     difference = (a - b) * (a + b)
     near = np.abs(difference) < _NEAR_SPHERE * a**2
     # Where the series is used, any spheroid will do here, as its result is not taken.
     safe_a, safe_b = np.where(near, 2.0, a), np.where(near, 1.0, b)
     long = safe_a > safe_b
-    prolate = _prolate(np.where(long, safe_a, 2.0), np.where(long, safe_b, 1.0))
+    prolate = _prolate(
+        np.where(long, safe_a, 2.0), np.where(long, safe_b, 1.0)
+    )
     oblate = _oblate(np.where(long, 1.0, safe_a), np.where(long, 2.0, safe_b))
-    series = _near_sphere(a, np.where(near, difference, 0.0) / np.where(near, a, 1.0) ** 2)
-    return np.where(near[..., None], series, np.where(long[..., None], prolate, oblate))
+    series = _near_sphere(
+        a, np.where(near, difference, 0.0) / np.where(near, a, 1.0) ** 2
+    )
+    return np.where(
+        near[..., None], series, np.where(long[..., None], prolate, oblate)
+    )
 
 
 def _prolate(a: Array, b: Array) -> Array:

@@ -52,7 +52,10 @@ def spring_force(
     """
     length, direction = _line(position_1, position_2)
     stretch = length - not_negative("rest_length", rest_length)
-    return np.asarray(-(not_negative("stiffness", stiffness) * stretch)[..., None] * direction)
+    return np.asarray(
+        -(not_negative("stiffness", stiffness) * stretch)[..., None]
+        * direction
+    )
 
 
 def spring_energy(
@@ -132,9 +135,14 @@ def damper_force(
     force here leaves momentum, angular momentum and any rigid motion alone.
     """
     _, direction = _line(position_1, position_2)
-    relative = vector("velocity_1", velocity_1) - vector("velocity_2", velocity_2)
+    relative = vector("velocity_1", velocity_1) - vector(
+        "velocity_2", velocity_2
+    )
     lengthening = np.sum(relative * direction, axis=-1)
-    return np.asarray(-(not_negative("damping", damping) * lengthening)[..., None] * direction)
+    return np.asarray(
+        -(not_negative("damping", damping) * lengthening)[..., None]
+        * direction
+    )
 
 
 def spring_damper_force(
@@ -180,7 +188,10 @@ def spring_damper_force(
     spring has the wrong sign, and the motion runs away whatever the damping.
     """
     spring = spring_force(position_1, position_2, stiffness, rest_length)
-    return np.asarray(spring + damper_force(position_1, position_2, velocity_1, velocity_2, damping))
+    return np.asarray(
+        spring
+        + damper_force(position_1, position_2, velocity_1, velocity_2, damping)
+    )
 
 
 def _line(position_1: ArrayLike, position_2: ArrayLike) -> tuple[Array, Array]:
@@ -190,4 +201,6 @@ def _line(position_1: ArrayLike, position_2: ArrayLike) -> tuple[Array, Array]:
     """
     d = vector("position_1", position_1) - vector("position_2", position_2)
     length = np.asarray(np.linalg.norm(d, axis=-1))
-    return length, np.asarray(d / np.where(length == 0, 1.0, length)[..., None])
+    return length, np.asarray(
+        d / np.where(length == 0, 1.0, length)[..., None]
+    )

@@ -57,10 +57,15 @@ def spring_step_limit(
 
         dt = c/k underdamped,    dt = 4 m/(c + √(c² − 4 k m)) overdamped
     """
-    k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
+    k, m = (
+        finite("stiffness", positive("stiffness", stiffness)),
+        finite("mass", positive("mass", mass)),
+    )
     c = finite("damping", not_negative("damping", damping))
     squared, critical = c * c, 4 * k * m
     overdamped = squared > critical
     root = np.sqrt(np.where(overdamped, squared - critical, 0.0))
-    explicit = np.where(overdamped, 4 * m / np.where(overdamped, c + root, 1.0), c / k)
+    explicit = np.where(
+        overdamped, 4 * m / np.where(overdamped, c + root, 1.0), c / k
+    )
     return explicit, np.asarray(4 * m / (c + np.sqrt(squared + critical)))

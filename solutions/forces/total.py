@@ -65,12 +65,33 @@ def total_force(
     The springs are taken one after the other. `mesh_forces` of the lab on
     meshes takes them all at once, for which adding needs care.
     """
-    x, v, pairs = vector("position", position), vector("velocity", velocity), np.asarray(ends)
-    if pairs.ndim != 2 or pairs.shape[-1] != 2 or np.any(pairs < 0) or np.any(pairs >= len(x)):
-        raise ValueError(f"ends must have the shape (S, 2) and whole numbers from 0 to {len(x) - 1}, not {pairs}")
+    x, v, pairs = (
+        vector("position", position),
+        vector("velocity", velocity),
+        np.asarray(ends),
+    )
+    if (
+        pairs.ndim != 2
+        or pairs.shape[-1] != 2
+        or np.any(pairs < 0)
+        or np.any(pairs >= len(x))
+    ):
+        raise ValueError(
+            f"ends must have the shape (S, 2) and whole numbers from 0 to {len(x) - 1}, not {pairs}"
+        )
     first, second = pairs[:, 0], pairs[:, 1]
-    pulls = spring_damper_force(x[first], x[second], v[first], v[second], stiffness, rest_length, damping)
-    force = uniform_gravity(mass, gravity) + stokes_drag(v, fluid_velocity, viscosity, radius)
+    pulls = spring_damper_force(
+        x[first],
+        x[second],
+        v[first],
+        v[second],
+        stiffness,
+        rest_length,
+        damping,
+    )
+    force = uniform_gravity(mass, gravity) + stokes_drag(
+        v, fluid_velocity, viscosity, radius
+    )
     for a, b, pull in zip(first, second, pulls, strict=True):
         force[a] = force[a] + pull
         force[b] = force[b] - pull

@@ -54,17 +54,29 @@ def sample_field(
     """
     values, x = np.asarray(field, dtype=float), vector("position", position)
     if values.ndim != 4 or values.shape[-1] != 3 or 0 in values.shape:
-        raise ValueError(f"field must have shape (nx, ny, nz, 3), not {values.shape}")
+        raise ValueError(
+            f"field must have shape (nx, ny, nz, 3), not {values.shape}"
+        )
     last = np.array(values.shape[:3]) - 1
-    place = np.clip((x - vector("origin", origin)) / positive("spacing", spacing), 0, last)
+    place = np.clip(
+        (x - vector("origin", origin)) / positive("spacing", spacing), 0, last
+    )
     if np.any(np.isnan(place)):
         raise ValueError("position must be a number, not nan")
     # On the last node this is that node, and its neighbour has the weight 0.
     low = place.astype(int)
     share = (place - low)[..., None, :]
-    weight = np.prod(np.where(_CORNERS == 1, share, 1 - share), axis=-1)  # (..., 8)
+    weight = np.prod(
+        np.where(_CORNERS == 1, share, 1 - share), axis=-1
+    )  # (..., 8)
     node = np.minimum(low[..., None, :] + _CORNERS, last)
-    return np.asarray(np.sum(weight[..., None] * values[node[..., 0], node[..., 1], node[..., 2]], axis=-2))
+    return np.asarray(
+        np.sum(
+            weight[..., None]
+            * values[node[..., 0], node[..., 1], node[..., 2]],
+            axis=-2,
+        )
+    )
 
 
 def wind_force(
@@ -111,6 +123,10 @@ def wind_force(
     − w relative to the air.
     """
     relative = vector("velocity", velocity) - vector("wind", wind)
-    size = not_negative("density", density) * not_negative("drag_coefficient", drag_coefficient)
+    size = not_negative("density", density) * not_negative(
+        "drag_coefficient", drag_coefficient
+    )
     speed = np.linalg.norm(relative, axis=-1)
-    return np.asarray(-(size * not_negative("area", area) * speed / 2)[..., None] * relative)
+    return np.asarray(
+        -(size * not_negative("area", area) * speed / 2)[..., None] * relative
+    )

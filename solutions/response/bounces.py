@@ -6,7 +6,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
+from solutions.checks import (
+    finite,
+    in_unit_interval,
+    not_negative,
+    unit,
+    vector,
+)
 from solutions.detection import signed_distance, time_of_impact_exact
 from solutions.forces import ballistic_motion
 
@@ -53,14 +59,24 @@ def time_until_rest(
 
     For a body that falls from rest t1 = w/|a|, and the sum is t1 (1 + e)/(1 − e).
     """
-    s, u = np.maximum(finite("separation", separation), 0.0), finite("normal_velocity", normal_velocity)
-    a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
+    s, u = (
+        np.maximum(finite("separation", separation), 0.0),
+        finite("normal_velocity", normal_velocity),
+    )
+    a, e = (
+        finite("normal_acceleration", normal_acceleration),
+        in_unit_interval("restitution", restitution),
+    )
     rebound = e * _arrival_speed(s, u, a)
     # A rebound at w' starts a flight of 2 w'/|a|; all flights, 1/(1 − e) times that.
     slowing = -a * (1 - e)
-    flights = np.where(slowing > 0, 2 * rebound / np.where(slowing > 0, slowing, 1.0), np.inf)
+    flights = np.where(
+        slowing > 0, 2 * rebound / np.where(slowing > 0, slowing, 1.0), np.inf
+    )
     until = time_of_impact_exact(s, u, a) + np.where(rebound > 0, flights, 0.0)
-    return np.where((s == 0) & (u == 0) & (a <= 0), 0.0, np.where(a > 0, np.inf, until))
+    return np.where(
+        (s == 0) & (u == 0) & (a <= 0), 0.0, np.where(a > 0, np.inf, until)
+    )
 
 
 def bounce_along_normal(
@@ -105,9 +121,17 @@ def bounce_along_normal(
     end. Where `time_until_rest` says that this end lies within the step, the function
     puts the body on the plane, at rest, without a round.
     """
-    state = finite("separation", separation), finite("normal_velocity", normal_velocity)
-    a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
-    s, u, a, e, left = np.broadcast_arrays(*state, a, e, not_negative("dt", dt))
+    state = (
+        finite("separation", separation),
+        finite("normal_velocity", normal_velocity),
+    )
+    a, e = (
+        finite("normal_acceleration", normal_acceleration),
+        in_unit_interval("restitution", restitution),
+    )
+    s, u, a, e, left = np.broadcast_arrays(
+        *state, a, e, not_negative("dt", dt)
+    )
     s = np.maximum(s, 0.0)
     rests = time_until_rest(s, u, a, e) <= left
     lay = (s == 0) & (u == 0)
@@ -119,14 +143,19 @@ def bounce_along_normal(
         struck = time <= left[moving]
         if not struck.any():
             break
-        moving[moving] = struck  # the others meet the plane no more in this step
+        moving[moving] = (
+            struck  # the others meet the plane no more in this step
+        )
         u[moving] = e[moving] * _arrival_speed(s[moving], u[moving], a[moving])
         s[moving] = 0.0
         left[moving] -= time[struck]
         impacts[moving] += 1
     due = time_of_impact_exact(s, u, a) <= left  # the rounds did not suffice
     flight = np.where(due, 0.0, left)
-    s, u = np.maximum(s + u * flight + a * flight * flight / 2, 0.0), u + a * flight
+    s, u = (
+        np.maximum(s + u * flight + a * flight * flight / 2, 0.0),
+        u + a * flight,
+    )
     return s, u, impacts, left - flight
 
 
@@ -171,15 +200,32 @@ def bounce_through_step(
     The motion along the normal is that of `bounce_along_normal`. Without friction an
     impact does not change the motion along the plane, which is the free one throughout.
     """
-    n, v, a = unit("normal", normal), vector("velocity", velocity), np.asarray(acceleration, dtype=float)
-    before, u, a_n = signed_distance(position, n, offset), np.vecdot(v, n), np.vecdot(a, n)
-    after, u_after, impacts, left = bounce_along_normal(before, u, a_n, restitution, dt, most_impacts)
+    n, v, a = (
+        unit("normal", normal),
+        vector("velocity", velocity),
+        np.asarray(acceleration, dtype=float),
+    )
+    before, u, a_n = (
+        signed_distance(position, n, offset),
+        np.vecdot(v, n),
+        np.vecdot(a, n),
+    )
+    after, u_after, impacts, left = bounce_along_normal(
+        before, u, a_n, restitution, dt, most_impacts
+    )
     free, v = ballistic_motion(position, v, a, np.asarray(dt) - left)
     position = free + (after - signed_distance(free, n, offset))[..., None] * n
-    return position, v + (u_after - np.vecdot(v, n))[..., None] * n, impacts, left
+    return (
+        position,
+        v + (u_after - np.vecdot(v, n))[..., None] * n,
+        impacts,
+        left,
+    )
 
 
-def _arrival_speed(separation: Array, normal_velocity: Array, normal_acceleration: Array) -> Array:
+def _arrival_speed(
+    separation: Array, normal_velocity: Array, normal_acceleration: Array
+) -> Array:
     """Speed √(u² − 2 a s) at which a body meets the plane, m/s; 0 where it does not."""
     u, a, s = normal_velocity, normal_acceleration, separation
     return np.asarray(np.sqrt(np.maximum(u * u - 2 * a * s, 0.0)))

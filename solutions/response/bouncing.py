@@ -60,9 +60,14 @@ def bounce(
     """
     count = int(finite("steps", not_negative("steps", whole("steps", steps))))
     a, n = vector("acceleration", acceleration), vector("normal", normal)
-    p, v = finite("position", vector("position", position)), vector("velocity", velocity)
+    p, v = (
+        finite("position", vector("position", position)),
+        vector("velocity", velocity),
+    )
     d = finite("offset", offset)
-    columns = [np.asarray(number)[..., None] for number in (d, restitution, dt)]
+    columns = [
+        np.asarray(number)[..., None] for number in (d, restitution, dt)
+    ]
     p, v, *_ = np.broadcast_arrays(p, v, a, n, *columns)
     positions, velocities = [p], [v]
     for _ in range(count):

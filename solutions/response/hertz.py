@@ -14,7 +14,10 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
-from solutions.response.penalty_impact import penalty_damping, penalty_restitution
+from solutions.response.penalty_impact import (
+    penalty_damping,
+    penalty_restitution,
+)
 
 ROUND_TRIP = 0.8 * math.sqrt(math.pi) * math.gamma(0.4) / math.gamma(0.9)
 """∫ 2 dx/√(1 − x^{5/2}) from 0 to 1, which is 2.943."""
@@ -45,7 +48,10 @@ def hertz_stiffness(radius: ArrayLike, modulus: ArrayLike) -> Array:
 
         k = (4/3) E* √R
     """
-    r, e = finite("radius", positive("radius", radius)), finite("modulus", positive("modulus", modulus))
+    r, e = (
+        finite("radius", positive("radius", radius)),
+        finite("modulus", positive("modulus", modulus)),
+    )
     return np.asarray(4 / 3 * e * np.sqrt(r))
 
 
@@ -93,12 +99,18 @@ def hertz_force(
     depth = np.maximum(-finite("separation", separation), 0.0)
     k = finite("stiffness", not_negative("stiffness", stiffness))
     c = finite("damping", not_negative("damping", damping))
-    push = k * depth**1.5 - c * depth**0.25 * finite("normal_velocity", normal_velocity)
+    push = k * depth**1.5 - c * depth**0.25 * finite(
+        "normal_velocity", normal_velocity
+    )
     push = push if adhesive else np.maximum(push, 0.0)
-    return np.asarray(push[..., None] * unit("normal", vector("normal", normal)))
+    return np.asarray(
+        push[..., None] * unit("normal", vector("normal", normal))
+    )
 
 
-def hertz_largest_depth(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike) -> Array:
+def hertz_largest_depth(
+    mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike
+) -> Array:
     """Depth at which an impact on an undamped Hertz contact turns round.
 
     Parameters
@@ -123,12 +135,17 @@ def hertz_largest_depth(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike)
 
         d = (5 m v²/(4 k))^{2/5}
     """
-    m, k = finite("mass", positive("mass", mass)), finite("stiffness", positive("stiffness", stiffness))
+    m, k = (
+        finite("mass", positive("mass", mass)),
+        finite("stiffness", positive("stiffness", stiffness)),
+    )
     v = finite("speed", not_negative("speed", speed))
     return np.asarray((1.25 * (m / k) * v**2) ** 0.4)
 
 
-def hertz_contact_time(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike) -> Array:
+def hertz_contact_time(
+    mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike
+) -> Array:
     """How long an impact on an undamped Hertz contact lasts.
 
     Parameters
@@ -200,7 +217,12 @@ def hertz_restitution(
     contact, and so is its restitution (Antypov and Elliott 2011). The force is zero at
     the same instant too, because it is d^{1/4} times the linear one.
     """
-    return penalty_restitution(mass, stiffness, 2 / math.sqrt(5) * not_negative("damping", damping), adhesive)
+    return penalty_restitution(
+        mass,
+        stiffness,
+        2 / math.sqrt(5) * not_negative("damping", damping),
+        adhesive,
+    )
 
 
 def hertz_damping(
@@ -239,4 +261,8 @@ def hertz_damping(
 
     With adhesion ζ = −ln e/√(π² + ln² e).
     """
-    return np.asarray(math.sqrt(5) / 2 * penalty_damping(restitution, mass, stiffness, adhesive))
+    return np.asarray(
+        math.sqrt(5)
+        / 2
+        * penalty_damping(restitution, mass, stiffness, adhesive)
+    )

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import in_unit_interval, unit, vector
+from solutions.domain import Share, Triple, Unit, domain
 
 
+@domain
 def kinematic_response(
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    restitution: ArrayLike,
-    plane_velocity: ArrayLike = (0.0, 0.0, 0.0),
+    velocity: Triple,
+    normal: Unit,
+    restitution: Share,
+    plane_velocity: Triple = (0.0, 0.0, 0.0),
 ) -> Array:
     """Velocity after a collision with a plane that nothing can stop (slide 7).
 
@@ -32,12 +32,6 @@ def kinematic_response(
     (..., 3), m/s
         A body keeps its velocity where it and the plane do not approach each
         other along the normal: it moves away from the plane, or beside it.
-
-    Raises
-    ------
-    ValueError
-        If a normal does not have length 1, e is not from 0 to 1, or a vector
-        does not have three components.
 
     Notes
     -----
@@ -61,11 +55,6 @@ def kinematic_response(
     e v + (1 + e) w. The energy of the ball may grow, because the plane does
     work on it.
     """
-    v, w = (
-        vector("velocity", velocity),
-        vector("plane_velocity", plane_velocity),
-    )
-    n = unit("normal", vector("normal", normal))
-    e = in_unit_interval("restitution", restitution)
-    approach = np.minimum(np.vecdot(v - w, n), 0.0)
-    return np.asarray(v - ((1 + e) * approach)[..., None] * n)
+    relative = velocity - plane_velocity
+    approach = np.minimum(np.vecdot(relative, normal), 0.0)
+    return velocity - ((1 + restitution) * approach)[..., None] * normal

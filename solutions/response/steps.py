@@ -7,22 +7,22 @@ step.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import not_negative, vector
+from solutions.domain import NotNegative, Share, Triple, Truth, Unit, domain
 from solutions.forces import ballistic_motion, semi_implicit_euler
 from solutions.response.kinematic import kinematic_response
 
 
+@domain
 def respond_at_impact(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: ArrayLike,
-    normal: ArrayLike,
-    restitution: ArrayLike,
-    time_of_impact: ArrayLike,
-    dt: ArrayLike,
+    position: Triple,
+    velocity: Triple,
+    acceleration: Triple,
+    normal: Unit,
+    restitution: Share,
+    time_of_impact: NotNegative,
+    dt: NotNegative,
 ) -> tuple[Array, Array]:
     """State after a step with one collision, by backing up to it (slide 6).
 
@@ -45,34 +45,28 @@ def respond_at_impact(
     position, velocity : (..., 3) each, at the end of the step
         A second collision in the same step is not seen here.
 
-    Raises
-    ------
-    ValueError
-        If T or dt is negative or not a number, or as kinematic_response.
-
     Notes
     -----
     The slide stops at the response. The rest of the step, Δt − T, must be
     integrated with the new velocity. If a program left it out, every bounce
     would lose half a step of time on average.
     """
-    time = not_negative("time_of_impact", time_of_impact)
-    dt = not_negative("dt", dt)
-    struck, before = time <= dt, np.minimum(time, dt)
+    struck = (time_of_impact <= dt)[..., None]
+    before = np.minimum(time_of_impact, dt)
     p, v = ballistic_motion(position, velocity, acceleration, before)
-    answered = kinematic_response(v, normal, restitution)
-    v = np.where(struck[..., None], answered, v)
+    v = np.where(struck, kinematic_response(v, normal, restitution), v)
     return ballistic_motion(p, v, acceleration, dt - before)
 
 
+@domain
 def respond_at_step(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: ArrayLike,
-    normal: ArrayLike,
-    behind: ArrayLike,
-    restitution: ArrayLike,
-    dt: ArrayLike,
+    position: Triple,
+    velocity: Triple,
+    acceleration: Triple,
+    normal: Unit,
+    behind: Truth,
+    restitution: Share,
+    dt: NotNegative,
 ) -> tuple[Array, Array]:
     """State after a step that looks for a collision at its start (slide 6).
 
@@ -98,11 +92,6 @@ def respond_at_step(
         acceleration, the plane takes the component that presses the body onto
         it, and leaves the rest. A body in front of the plane, on its way out
         or moving along the plane (v·n = 0) takes the free step.
-
-    Raises
-    ------
-    ValueError
-        If dt is negative, or as kinematic_response.
 
     Notes
     -----
@@ -131,12 +120,9 @@ def respond_at_step(
     because physics engines use it too: they look for contacts, change the
     velocities and move.
     """
-    v, n = vector("velocity", velocity), np.asarray(normal, dtype=float)
-    pull, dt = vector("acceleration", acceleration), not_negative("dt", dt)
-    behind = np.asarray(behind, dtype=bool)
-    answered = kinematic_response(v, n, restitution)
-    start = np.where(behind[..., None], answered, v)
-    struck = behind & (np.vecdot(v, n) < 0)
-    carried = np.where(struck, np.minimum(np.vecdot(pull, n), 0.0), 0.0)
-    pull = pull - carried[..., None] * n
-    return semi_implicit_euler(position, start, pull, dt)
+    answered = kinematic_response(velocity, normal, restitution)
+    start = np.where(behind[..., None], answered, velocity)
+    struck = behind & (np.vecdot(velocity, normal) < 0)
+    pressing = np.minimum(np.vecdot(acceleration, normal), 0.0)
+    carried = np.where(struck, pressing, 0.0)[..., None] * normal
+    return semi_implicit_euler(position, start, acceleration - carried, dt)

@@ -74,13 +74,27 @@ def tangential_spring(
         finite("friction", not_negative("friction", friction)),
         finite("stiffness", positive("stiffness", stiffness)),
     )
-    c, dt = finite("damping", not_negative("damping", damping)), finite("dt", not_negative("dt", dt))
-    slip = less_normal_part(finite("slip_velocity", vector("slip_velocity", slip_velocity)), n)
-    xi = _into_new_surface(finite("stretch", vector("stretch", stretch)), n) + slip * dt[..., None]
-    asked, dashpot = -k[..., None] * xi - c[..., None] * slip, c[..., None] * slip
+    c, dt = (
+        finite("damping", not_negative("damping", damping)),
+        finite("dt", not_negative("dt", dt)),
+    )
+    slip = less_normal_part(
+        finite("slip_velocity", vector("slip_velocity", slip_velocity)), n
+    )
+    xi = (
+        _into_new_surface(finite("stretch", vector("stretch", stretch)), n)
+        + slip * dt[..., None]
+    )
+    asked, dashpot = (
+        -k[..., None] * xi - c[..., None] * slip,
+        c[..., None] * slip,
+    )
     size, most = np.linalg.norm(asked, axis=-1), mu * press
     slides = size > most
-    force = asked * np.where(slides, most / np.where(slides, size, 1.0), 1.0)[..., None]
+    force = (
+        asked
+        * np.where(slides, most / np.where(slides, size, 1.0), 1.0)[..., None]
+    )
     xi = np.where(slides[..., None], -(force + dashpot) / k[..., None], xi)
     touches = (press > 0)[..., None]
     return np.where(touches, force, 0.0), np.where(touches, xi, 0.0)
@@ -91,4 +105,7 @@ def _into_new_surface(stretch: Array, n: Array) -> Array:
     along = less_normal_part(stretch, n)
     before = np.linalg.norm(stretch, axis=-1, keepdims=True)
     after = np.linalg.norm(along, axis=-1, keepdims=True)
-    return np.asarray(along * np.where(after > 0, before / np.where(after > 0, after, 1.0), 0.0))
+    return np.asarray(
+        along
+        * np.where(after > 0, before / np.where(after > 0, after, 1.0), 0.0)
+    )

@@ -1,0 +1,134 @@
+"""What the arguments of a function may be: said once, at the parameter.
+
+A function with `@domain` gets each argument as an array of the domain that
+its annotation names, such as `Unit`: whatever NumPy makes one from is
+welcome, a list or a number too. What is outside the domain is refused with a
+ValueError that names the argument. So the body is the formula.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable
+from types import NoneType
+from typing import Annotated, Any, TypeVar, get_args, get_type_hints
+
+import numpy as np
+
+from solutions.arrays import Array, Booleans, Integers
+from solutions.checks import (
+    finite,
+    in_unit_interval,
+    matrix,
+    not_negative,
+    positive,
+    real,
+    truth,
+    unit,
+    vector,
+    whole,
+)
+
+Result = TypeVar("Result")
+Rules = tuple[Callable[[str, Any], Any], ...]
+"""Each takes the name and the value of an argument, and returns its array."""
+
+Number = Annotated[Array, real]
+"""Any real number, infinity and NaN too."""
+Finite = Annotated[Array, finite]
+Positive = Annotated[Array, positive]
+"""Infinity is one of them: the mass of an immovable body."""
+NotNegative = Annotated[Array, not_negative]
+"""Infinity is one of them."""
+FinitePositive = Annotated[Array, positive, finite]
+FiniteNotNegative = Annotated[Array, not_negative, finite]
+Whole = Annotated[Array, whole, not_negative, finite]
+"""0, 1, 2 …, as floats."""
+Share = Annotated[Array, in_unit_interval]
+"""0 to 1."""
+Triple = Annotated[Array, vector]
+"""(..., 3), any real numbers."""
+Vector = Annotated[Array, vector, finite]
+"""(..., 3), finite."""
+Unit = Annotated[Array, vector, unit]
+"""(..., 3), of length 1."""
+Matrix = Annotated[Array, matrix]
+"""(..., 3, 3), finite."""
+Truth = Annotated[Booleans, truth]
+"""True or False."""
+
+
+def domain(function: Callable[..., Result]) -> Callable[..., Result]:
+    """The function, of arguments in the domains of its annotations.
+
+    Annotations without a rule are left alone, and so is None where it is
+    allowed. An array that the function returns is an array for single numbers
+    too.
+    """
+    names = tuple(inspect.signature(function).parameters)
+
+    @functools.wraps(function)
+    def checked(*args: Any, **kwargs: Any) -> Result:
+        rules, defaults, returned = _domains(function)
+        given = list(args)
+        for at, name in enumerate(names[: len(args)]):
+            for rule in rules.get(name, ()):
+                given[at] = rule(name, given[at])
+        for name in kwargs:
+            for rule in rules.get(name, ()):
+                kwargs[name] = rule(name, kwargs[name])
+        for name in names[len(args) :]:
+            if name in defaults:
+                kwargs.setdefault(name, defaults[name])
+        result: Result = returned(function(*given, **kwargs))
+        return result
+
+    return checked
+
+
+def require(holds: bool | Booleans, words: str) -> None:
+    """Raise a ValueError with these words unless all of it holds."""
+    if not np.all(holds):
+        raise ValueError(words)
+
+
+@functools.cache
+def _domains(
+    function: Callable[..., Any],
+) -> tuple[dict[str, Rules], dict[str, Any], Callable[[Any], Any]]:
+    """The rules of each argument, its default in its domain, and the result's.
+
+    They are looked up at the first call, when all annotations have a meaning.
+    """
+    hints = get_type_hints(function, include_extras=True)
+    result = hints.pop("return", None)
+    rules = {
+        name: found for name, hint in hints.items() if (found := _rules(hint))
+    }
+    defaults = {}
+    for name, parameter in inspect.signature(function).parameters.items():
+        if name in rules and parameter.default is not parameter.empty:
+            defaults[name] = parameter.default
+            for rule in rules[name]:
+                defaults[name] = rule(name, defaults[name])
+    is_array = result in (Array, Booleans, Integers)
+    return rules, defaults, np.asarray if is_array else _as_it_is
+
+
+def _rules(hint: Any) -> Rules:
+    """The rules of an annotation; with `| None` they are not for None."""
+    if NoneType not in get_args(hint):
+        return getattr(hint, "__metadata__", ())
+    rules = [rule for kind in get_args(hint) for rule in _rules(kind)]
+
+    def unless_none(name: str, value: Any) -> Any:
+        for rule in rules if value is not None else ():
+            value = rule(name, value)
+        return value
+
+    return (unless_none,)
+
+
+def _as_it_is(result: Any) -> Any:
+    return result
