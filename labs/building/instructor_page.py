@@ -134,14 +134,16 @@ def _exposed(lesson: Lesson) -> Iterator[str]:
 
 def _questions(lesson: Lesson) -> Iterator[str]:
     yield "## Questions and their rubrics"
-    own = any(cell.code and "lab.numbers(" in cell.text for cell in lesson.cells)
     yield (
-        f"Each question is in the notebook. Below it, the solved notebook `solutions/notebooks/{lesson.topic}.ipynb` has"
-        " a model answer. `collisions grade` writes a page for each question, with both beside the answers of the class."
-    ) + own * (
-        " In some questions each student has numbers of their own: `collisions lab numbers"
-        f" {lesson.topic} --student NAME` prints these with their results."
+        "The notebook has the text of each question, and the solved notebook"
+        f" `solutions/notebooks/{lesson.topic}.ipynb` has a model answer below it. `collisions grade` writes a page for"
+        " each question, with both of them beside the answers of the class."
     )
+    if any(cell.code and "lab.numbers(" in cell.text for cell in lesson.cells):
+        yield (
+            "In some questions each student has numbers of their own."
+            f" `collisions lab numbers {lesson.topic} --student NAME` prints them, and the results that follow."
+        )
     heading = ""
     for cell in lesson.cells:
         if not cell.code and not cell.kind and (found := _SECTION.search(cell.text)):
@@ -156,7 +158,7 @@ def _mistakes(lesson: Lesson) -> Iterator[str]:
     yield "## Mistakes that the grader knows by name"
     yield (
         "If a student's function makes a known mistake, the feedback says what it is. After grading, `class.html` shows"
-        " which mistakes several students share. You find the texts of all of them in `tests/autograder/misconceptions/`."
+        " which mistakes several students share. The texts of all of them are in `tests/autograder/misconceptions/`."
     )
     known = Counter(entry.function for entry in read_bank())
     rows = [f"| `{name}` | {points_of(name)} | {known[name]} |" for name in lesson.written]
