@@ -110,8 +110,8 @@ writes this page from the lessons.
 {labs}
 
 The hours are planned and not timed; [how long a lab takes](notebooks.md#how-long-a-lab-takes) says how they were found.
-Each number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, and the questions
-with model answers.
+Each number leads to the instructor's page of the lab, with the minutes of each part, what to discuss, the right
+predictions, and the rubrics of the questions.
 
 {minutes}
 

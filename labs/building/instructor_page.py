@@ -1,34 +1,29 @@
 """A page for the instructor of a lab, made of its lesson, its hints and the bank of known mistakes.
 
 It says how long each part takes and what students write in it, where they lose time and what to discuss, what is right
-of each prediction, what the broken programs and the wrong functions are about, and how each question is marked. The
-pages are Markdown files in `docs/instructors/`; `collisions lab build` writes them beside the notebooks.
+of each prediction, what the broken programs and the wrong functions are about, how each question is marked, and how
+many mistakes the grader knows. Questions with their model answers are in the solved notebook, and the texts of the
+mistakes in the bank. The pages are Markdown files in `docs/instructors/`; `collisions lab build` writes them beside the
+notebooks.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labs.assessment.shares import SHARES
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
-from labs.grading.diagnosis.misconceptions import Misconception, read_bank
+from labs.grading.diagnosis.misconceptions import read_bank
 from labs.guidance.hint_files import Hints, hints
 from reference import lecture
 
 _PART = re.compile(r"^## (.+?)(?: \((\d+) minutes\))?$", re.MULTILINE)
 _SECTION = re.compile(r"^### (?:\d+\. )?(.+)$", re.MULTILINE)
-
-LIKELIEST: Mapping[str, tuple[str, ...]] = {
-    "kinematic_response": (
-        "the slide's mirror", "no guard", "guard of the body alone", "plane's velocity once", "tangent damped too",
-    ),
-}  # fmt: skip
-"""The names of known mistakes to expect first, for a function that has too many to read them all. No class has been
-counted: these are the formula of the slide, and one wrong version of each thing that the function has to decide."""
 
 
 @dataclass(frozen=True)
@@ -138,33 +133,36 @@ def _exposed(lesson: Lesson) -> Iterator[str]:
 
 
 def _questions(lesson: Lesson) -> Iterator[str]:
-    yield "## Questions, with model answers and rubrics"
+    yield "## Questions and their rubrics"
+    yield (
+        "The notebook has the text of each question, and the solved notebook"
+        f" `solutions/notebooks/{lesson.topic}.ipynb` has a model answer below it. `collisions grade` writes a page for"
+        " each question, with both of them beside the answers of the class."
+    )
+    if any(cell.code and "lab.numbers(" in cell.text for cell in lesson.cells):
+        yield (
+            "In some questions each student has numbers of their own."
+            f" `collisions lab numbers {lesson.topic} --student NAME` prints them, and the results that follow."
+        )
     heading = ""
     for cell in lesson.cells:
         if not cell.code and not cell.kind and (found := _SECTION.search(cell.text)):
             heading = found[1]
         elif cell.kind == "answer":
             yield f"### {heading} ({cell.points} points)"
-            yield "> " + cell.text.replace("\n", "\n> ")
-            yield from (model.text for model in lesson.models(cell.key))
+            yield lesson.rubric(cell.key)
 
 
 def _mistakes(lesson: Lesson) -> Iterator[str]:
-    """The known mistakes of each function, as the student reads them."""
+    """How many mistakes of each function have a name, and where their texts are."""
     yield "## Mistakes that the grader knows by name"
-    bank = [entry for entry in read_bank() if entry.function in lesson.written]
-    for name in lesson.written:
-        yield f"### `{name}` ({points_of(name)} points)"
-        known = [entry for entry in bank if entry.function == name]
-        if first := LIKELIEST.get(name, ()):
-            yield "Expect these first:"
-            yield _listed([entry for entry in known if entry.name in first])
-            yield "The others:"
-        yield _listed([entry for entry in known if entry.name not in first])
-
-
-def _listed(entries: Sequence[Misconception]) -> str:
-    return "\n".join(f"- *{entry.name}*: {entry.rationale}" for entry in entries)
+    yield (
+        "If a student's function makes a known mistake, the feedback says what it is. After grading, `class.html` shows"
+        " which mistakes several students share. The texts of all of them are in `tests/autograder/misconceptions/`."
+    )
+    known = Counter(entry.function for entry in read_bank())
+    rows = [f"| `{name}` | {points_of(name)} | {known[name]} |" for name in lesson.written]
+    yield "\n".join(["| function | points | known mistakes |", "|---|---|---|", *rows])
 
 
 def _calls(lesson: Lesson, method: str) -> Iterator[ast.Call]:

@@ -7,8 +7,8 @@ runs need. `given="finite Body"` is code to use. `write="signed_distance"` names
 a check. `broken="key"` is code that a student mends; the cell with `model="key"` shows how. `draft="collide"` is the
 header and description of a first version of a function, for simpler cases; the cell with `model="draft-collide"` is it.
 
-Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
-marked. `instructor=true` is for the instructor only.
+Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says, and its last
+paragraph is the rubric, which begins with points: `*1 point* for …`. `instructor=true` is for the instructor only.
 
 Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, of
 its lines to derive, and of inputs to find are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
@@ -32,6 +32,8 @@ _DOTS = re.compile(r"(?<==)\.\.\.|(?<=, )\.\.\.(?=[,)])")
 """These dots, and those in place of a whole argument of a call."""
 _NAMING, _KEYED = ("given", "write", "draft"), ("broken", "answer", "model")
 """Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
+_POINTS = re.compile(r"\*\d+ points?\*")
+"""How a rubric begins."""
 _KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
 
 
@@ -92,6 +94,12 @@ class Lesson:
         """The models of a question, a broken cell or a draft."""
         return tuple(cell for cell in self.cells if cell.kind == "model" and cell.key == key)
 
+    def rubric(self, key: str) -> str:
+        """How a question is marked: the last paragraph of its model answer, or nothing if that gives no points."""
+        *_, model = self.models(key)
+        last = model.text.rpartition("\n\n")[2]
+        return last if _POINTS.match(last) else ""
+
 
 def lessons() -> tuple[str, ...]:
     """The topics that have a lesson, in the order of teaching."""
@@ -105,7 +113,7 @@ def read(topic: str) -> Lesson:
     ------
     UnknownName, InvalidInput
         If there is no such topic, it has no lesson yet, or the lesson does not fit the lecture: it leaves out a
-        function that students write, has them in another order, or has a question without a model answer.
+        function that students write, has them in another order, or has a question without a model answer or rubric.
     """
     name = lecture.topic(topic).name
     path = LESSONS / f"{name}.md"
@@ -167,6 +175,11 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")
+        if cell.kind == "answer" and not lesson.rubric(cell.key):
+            raise InvalidInput(
+                f"the lesson of {lesson.topic} has no rubric for answer={cell.key!r}: the last paragraph of its model"
+                " is to begin with points, such as *1 point* for the sign"
+            )
     for name in lesson.drafts:
         if name not in expected:
             raise InvalidInput(f"the lesson of {lesson.topic} has a draft of {name}, which it does not write")

@@ -21,7 +21,7 @@ Values = NDArray[np.float64]
 LONGEST = 500
 """Characters of the longest expression."""
 _TOO_LARGE = 1e300
-_ONE: dict[str, Callable[..., Any]] = {"sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "abs": np.abs}
+_ONE: dict[str, Callable[..., Any]] = {"sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "log": np.log, "abs": np.abs}
 _SEVERAL: dict[str, Any] = {"min": np.minimum, "max": np.maximum}
 FUNCTIONS = (*_ONE, *_SEVERAL)
 _BINARY: dict[type, Callable[..., Any]] = {

@@ -13,7 +13,7 @@ from suspects_tried import BANK_ENTRY, EXPOSING, HARMLESS
 from labs.assessment import exposures, mending, oral, seeded
 from labs.assessment.marks import marks
 from labs.assessment.shares import CODE, INPUTS, QUESTIONS, SHARES
-from labs.building import lessons
+from labs.building import lessons, seeded_questions
 from labs.grading.diagnosis import misconceptions
 from labs.grading.diagnosis.probes import probes
 from reference.engines.implementation import Implementation
@@ -25,6 +25,13 @@ EVERY = [(topic, suspect) for topic in lessons.lessons() for suspect in exposure
 
 def right(name):
     return Implementation("solutions").function(name)
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_the_person_who_marks_sees_what_follows_from_a_students_numbers(topic):
+    for question in seeded_questions.questions(topic, "1234"):
+        assert question.results, question.key
+        assert np.isfinite([*question.results.values()]).all(), question.key
 
 
 def test_numbers_depend_on_the_student_and_the_question_alone():
