@@ -21,6 +21,7 @@ from reference.catalogue.scenarios.walkers import (
     speeding,
     walker,
 )
+from reference.engines import pybullet_settings
 from reference.engines.base import BULLET, BULLET_DAMPED, Method
 from reference.prediction import steered
 from reference.scene.scenario import Body, Box, Pair, Scenario
@@ -50,8 +51,8 @@ LEGS, MARGIN, LONG = 50.0, 0.1, 8.0
 """The largest force of a boid, N, by how much larger it counts as it is, m, and how long is watched, s."""
 SEPARATION, WEAK = 0.4, 0.1
 """The weight of separation that keeps all boids apart, and one that does not, m²/s²."""
-EDGES = 1e-3 * (math.sqrt(2) - 1)
-"""By how much the rounded edges of Bullet's boxes, 1 mm, lie farther back than true ones, m."""
+EDGES = pybullet_settings.MARGIN * (math.sqrt(2) - 1)
+"""By how much the rounded edges of Bullet's boxes lie farther back than true ones, m."""
 
 
 def _flock(separation: float) -> Case:
