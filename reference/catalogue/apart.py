@@ -97,7 +97,7 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "incline": {
         ("pybullet", STOCK): f"{facts.PYBULLET_DAMPS} That slows every slide by up to a quarter.",
-        ("mujoco", STOCK): facts.MUJOCO_CREEPS,
+        ("mujoco", STOCK): f"{facts.MUJOCO_CREEPS} On all slopes but the gentlest that counts as sliding.",
         ("dart", STOCK): f"{facts.DART_HAS_ONE_POINT} Some slabs that should hold walk off that way.",
     },
     "break-away": {
@@ -126,7 +126,7 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     "rolling-ball": {
         ("pybullet", STOCK): f"{facts.PYBULLET_DAMPS} The spin loses most.",
         ("mujoco", STOCK): (
-            "At MuJoCo's own 2 ms the way is longer by a t Δt/2, 0.1 %, and a ball that slips spins 0.3 % too fast."
+            "At MuJoCo's own 2 ms the way is longer by a t Δt/2, and a ball that slips spins a little too fast."
         ),
     },
     "struck-cube": {
@@ -202,7 +202,7 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "superball": {
         **_BOUNCES,
-        ("dart", STOCK): f"{facts.DART_HAS_A_SQUARE} DART also responds up to 1 ms late.",
+        ("dart", STOCK): f"{facts.DART_HAS_A_SQUARE} It deflects the ball. DART also responds up to 1 ms late.",
     },
     "box-on-edge": {("dart", STOCK): "DART, as installed, leaves the box 1.5 to 3.1 mm deep in the floor."},
     "tipping-box": {
