@@ -179,7 +179,7 @@ TWO_BALLS = Family(
         (
             Parameter("restitution", "", (0.0, 0.3, 0.5, 0.8, 1.0), 1.0),
             Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0, in_ratio=True),
-            Parameter("offset", "", (0.0, 0.3, 0.5, 0.8), 0.5),
+            Parameter("offset", "", (0.0, 0.5, 0.8), 0.5),
         ),
         (1e-3, 2e-3, 5e-3),
         lambda restitution, mass, offset: _striking(restitution, mass, offset, GRID_STARTS),
