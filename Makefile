@@ -2,10 +2,11 @@
 # The newest Python for which all engines have packages, and which can make an environment.
 PYTHON ?= $(shell for each in python3.13 python3.12 python3.11 python3 python; do \
 	"$$each" -c 'import ensurepip' 2> /dev/null && { command -v "$$each"; break; }; done)
+NEEDS_PYTHON = $(error No Python from 3.11 on that can make an environment. Install one, or name it: make PYTHON=...)
 VENV   ?= .venv
 OUT    ?= report
 # Which extras to install; `make test EXTRAS=dev OPTIONAL= VENV=.venv-bare` tries the lab without any engine.
-EXTRAS ?= engines,dev
+EXTRAS ?= mujoco,dev
 # Extras that some machines have no wheel for, which must not stop an install.
 OPTIONAL ?= crowd dart
 # More for pytest, as in `make test ARGS="-k friction"`.
@@ -29,8 +30,9 @@ help:            ## list the targets
 
 install: $(READY) $(BUILT) ## create the environment, install the lab into it, and write what git does not keep
 $(READY): pyproject.toml constraints.txt bullet.txt
-	$(PYTHON) -m venv $(VENV)
-	$(if $(findstring engines,$(EXTRAS)),$(BIN)/python -m pip install $(QUIET) --no-deps --require-hashes -r bullet.txt)
+	$(or $(PYTHON),$(NEEDS_PYTHON)) -m venv --clear $(VENV)
+	$(if $(findstring mujoco,$(EXTRAS)),$(BIN)/python -m pip install $(QUIET) --no-deps --require-hashes -r bullet.txt \
+		|| echo "PyBullet has no package for this machine; the lab works without it.")
 	$(INSTALL) -e '.[$(EXTRAS)]'
 	for extra in $(OPTIONAL); do \
 		$(INSTALL) -e ".[$$extra]" || echo "The extra $$extra has no wheel for this machine; the lab works without it."; \

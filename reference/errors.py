@@ -46,6 +46,10 @@ class EngineNotInstalled(CollisionsError):
     """The engine's package is missing on this machine; the message says how to get it."""
 
 
+class EngineBroken(EngineNotInstalled):
+    """The engine's package is there and cannot be imported; the message says why."""
+
+
 class NotRecorded(CollisionsError):
     """Nothing of this run was recorded, or its recording is stale; the message says which."""
 

@@ -57,8 +57,10 @@ if "google.colab" in sys.modules:
                 zipfile.ZipFile(io.BytesIO(content)).extractall()
     if not find_lab():
         raise FileNotFoundError("no archive of the lab: run this cell again")
-    !pip install --quiet mujoco hypothesis "pytest>=8.4"
-    !pip install --quiet pybullet-arm64 dartpy
+    bullet = find_lab()[0] / "bullet.txt"
+    !pip install --quiet "mujoco>=3.12,<5" "hypothesis>=6.100" "pytest>=8.4"
+    !pip install --quiet --no-deps --require-hashes -r "{bullet}"
+    !pip install --quiet "dartpy>=6.20,<7"
 
 for folder in find_lab()[:1]:
     sys.path.insert(0, str(folder))

@@ -71,7 +71,7 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
    python3 -m venv .venv
    source .venv/bin/activate
    python -m pip install --no-deps --require-hashes -r bullet.txt
-   python -m pip install -c constraints.txt -e ".[notebooks,engines]"
+   python -m pip install -c constraints.txt -e ".[notebooks,mujoco]"
    python -m pip install -c constraints.txt -e ".[dart]"
    ```
 
@@ -81,7 +81,7 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
    py -m venv .venv
    .venv\\Scripts\\activate
    python -m pip install --no-deps --require-hashes -r bullet.txt
-   python -m pip install -c constraints.txt -e ".[notebooks,engines]"
+   python -m pip install -c constraints.txt -e ".[notebooks,mujoco]"
    python -m pip install -c constraints.txt -e ".[dart]"
    ```
 
@@ -91,12 +91,13 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
    jupyter lab labs/notebooks/{first}.ipynb
    ```
 
-   Run the first cell. It says which engines run on your machine.
+   Run the first cell. It says whether PyBullet and MuJoCo run on your machine. `collisions engines` has DART as well.
 
 In a new terminal, go into the folder again, repeat the line with `activate`, and open the notebook.
 
-Python 3.12 and 3.13 can have all three engines, PyBullet, MuJoCo and DART, on Linux, Windows and newer Macs. If the
-last line fails, go on: an engine that is not installed is shown from recordings, and nothing is lost.
+Python 3.12 and 3.13 can have all three engines, PyBullet, MuJoCo and DART, on Windows, on newer Macs and on Linux with
+an x86-64 processor; so can 3.11 there. The line with `bullet.txt` is for PyBullet and the last one for DART. If one of
+them fails, go on: an engine that is not installed is shown from recordings, and nothing is lost.
 
 ## On Colab
 

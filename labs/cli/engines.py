@@ -6,7 +6,7 @@ from rich.table import Table
 
 from labs.cli.console import output
 from reference.engines import engine_names, load_engine, tried_versions
-from reference.errors import EngineNotInstalled, RunFailed, RunLost
+from reference.errors import EngineBroken, EngineNotInstalled, RunFailed, RunLost
 from reference.running.availability import PROBE_LIMIT
 from reference.running.isolate import run_isolated
 
@@ -20,9 +20,12 @@ def engines() -> None:
     for name in engine_names():
         try:
             (distribution, version), here = run_isolated(_found, PROBE_LIMIT, name), "[green]✓ ready[/]"
-            missing.append(tried_versions.warning(load_engine(name), version))
-            if distribution != load_engine(name).package:
+            missing.append(tried_versions.warning(load_engine(name), version, distribution))
+            if distribution and distribution != load_engine(name).package:
                 version = f"{version} ({distribution})"
+        except EngineBroken as error:
+            version, here = "", "[red]! broken[/]"
+            missing.append(str(error))
         except EngineNotInstalled as error:
             version, here = "", "[yellow]– not installed[/]"
             missing.append(str(error))
@@ -38,8 +41,9 @@ def engines() -> None:
         output.print(message, soft_wrap=True, markup=False)
 
 
-def _found(name: str) -> tuple[str | None, str]:
+def _found(name: str) -> tuple[str, str]:
     """Import an engine's package; say its distribution and version. In a worker: it may print or crash as it likes."""
     engine = load_engine(name)
     engine.module()
-    return engine.distribution().name if engine.package else None, engine.version()
+    found = engine.distribution() if engine.package else None
+    return found.name if found else "", engine.version()

@@ -10,6 +10,7 @@ import re
 from labs.demonstrations.demonstration import Demonstration, Profiles
 from labs.demonstrations.lesson import Error, IfKnown, Line, Listed, Magnitude, Measured, Predicted, Theory
 from reference.catalogue.scenarios import bouncing_ball, friction, stacks, tipping_box, tunnelling
+from reference.engines.dart_settings import REST_SPEED
 from reference.engines.profiles import EXACT, SLIDE, STEP, STOCK, TUNED, WORLD
 from reference.errors import UnknownName
 
@@ -60,7 +61,7 @@ BOUNCE = Demonstration(
             "Steps miss the last ones: ",
             Listed(
                 IfKnown("by hand ", Error("handwritten", "step", "rest_time")),
-                IfKnown("DART ", Error("dart", "tuned", "rest_time"), " (rests below 0.1 m/s)"),
+                IfKnown("DART ", Error("dart", "tuned", "rest_time"), f" (rests below {REST_SPEED:g} m/s)"),
             ),
             ".",
         ),

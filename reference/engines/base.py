@@ -15,7 +15,7 @@ from reference.engines import distributions, profiles
 from reference.engines.implementation import Implementation
 from reference.engines.ranges import Allowed, check_options
 from reference.engines.steering import ROUNDING, steers_of
-from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, NoWords, UnknownName
+from reference.errors import CannotExpress, EngineBroken, EngineNotInstalled, InvalidInput, NoWords, UnknownName
 from reference.impact_truth import NEWTON
 from reference.scene.loads import Steers
 from reference.scene.polyhedron import Polyhedron
@@ -133,9 +133,9 @@ class Engine(ABC):
 
     name: as typed on the command line. title: as printed. order: place in tables. package: the module that it needs,
     None for ours. distributions: what may have installed that, where it is not called alike. extra: the extra of
-    this project that installs it. wheels: where its package can be installed without a compiler. applies_forces:
-    whether it lets forces, springs and the like act, whatever the scenario.
-    allowed: what each option may be; one that is not in it may be anything of its kind. implementation: which
+    this project that installs it. installing: the command for it, where it is another. wheels: where its package can
+    be installed without a compiler. applies_forces: whether it lets forces, springs and the like act, whatever the
+    scenario. allowed: what each option may be; one that is not in it may be anything of its kind. implementation: which
     hand-written code runs. All of it is the hand-written engine's; the others ask it where bodies are steered.
     """
 
@@ -145,6 +145,7 @@ class Engine(ABC):
     package: ClassVar[str | None] = None
     distributions: ClassVar[tuple[str, ...]] = ()
     extra: ClassVar[str | None] = None
+    installing: ClassVar[str] = ""
     wheels: ClassVar[str] = ""
     applies_forces: ClassVar[bool] = False
     allowed: ClassVar[Mapping[str, Allowed]] = {}
@@ -195,16 +196,25 @@ class Engine(ABC):
         """Names of the distributions that may have installed the engine's package, the preferred one first."""
         return self.distributions or ((self.package,) if self.package else ())
 
-    def distribution(self) -> importlib.metadata.Distribution:
-        """The distribution that has installed the engine's package; `EngineNotInstalled` where none has."""
-        found = distributions.installed(self.sources(), self.package or "")
-        if found is None:
+    def distribution(self) -> importlib.metadata.Distribution | None:
+        """The distribution that has installed the engine's package; None where nobody says.
+
+        Raises
+        ------
+        EngineNotInstalled
+            If the package is not here.
+        """
+        package = self.package or ""
+        if not distributions.is_here(package):
             raise self._missing("no such package")
-        return found
+        return distributions.installed(self.sources(), package)
 
     def version(self) -> str:
         """Version of the engine's package, or of this project for our own; `EngineNotInstalled` where it is missing."""
-        return self.distribution().version if self.package else distributions.lab_version()
+        if not self.package:
+            return distributions.lab_version()
+        found = self.distribution()
+        return (found and found.version) or distributions.UNKNOWN
 
     def versions(self) -> Versions:
         """The versions of the engine and of the adapter; the engine's is empty where it is missing."""
@@ -215,16 +225,22 @@ class Engine(ABC):
         return {"engine_version": version, "adapter_version": distributions.lab_version()}
 
     def module(self) -> ModuleType:
-        """Import the engine's package, late; `EngineNotInstalled` says how to get it."""
+        """Import the engine's package, late; `EngineNotInstalled` says how to get it, or why it cannot be imported."""
         try:
             return importlib.import_module(self.package or "reference")
+        except ModuleNotFoundError as error:
+            if error.name == self.package:
+                raise self._missing(str(error)) from None
+            raise EngineBroken(f"{self.title} is installed but cannot be imported: {error}") from None
         except ImportError as error:
-            raise self._missing(str(error)) from None
+            raise EngineBroken(f"{self.title} is installed but cannot be imported: {error}") from None
 
     def _missing(self, why: str) -> EngineNotInstalled:
-        how = f'pip install -e ".[{self.extra}]"' if self.extra else f"pip install {self.package}"
-        where = f" (ready-made for {self.wheels})" if self.wheels else ""
-        return EngineNotInstalled(f"{self.title} is not installed here ({why}); to get it: {how}{where}")
+        said, where = f"{self.title} is not installed here ({why})", f"ready-made for {self.wheels}"
+        if self.extra and not distributions.offered(self.sources(), self.extra):
+            return EngineNotInstalled(f"{said}, and there is no package of it for this machine: it is {where}")
+        how = self.installing or (f'pip install -e ".[{self.extra}]"' if self.extra else f"pip install {self.package}")
+        return EngineNotInstalled(f"{said}; to get it: {how}" + f" ({where})" * bool(self.wheels))
 
     def steers(self, scenario: Scenario) -> Steers | None:
         """What the scenario's steering rules ask for in one run, in the implementation's words; None without any."""

@@ -6,7 +6,7 @@ sets the acceleration along the normal to −stiffness·r − damping·ṙ (with
 `contact = "one step"` (tuned): under Euler a damping of (1 + e)/dt turns the normal velocity v into −e v in exactly
 one step, which is Newton's restitution; a small stiffness brings back what overlap is left.
 `contact = "spring"`: the textbook reading, an elastic contact resolved over many steps; ζ follows from e.
-`contact = "default"` (stock): what a user gets who sets nothing but the friction of the geoms. It has no restitution.
+`contact = "default"` (stock): what a user gets who sets nothing but the friction of the geoms.
 """
 
 from __future__ import annotations

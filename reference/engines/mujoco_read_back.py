@@ -1,6 +1,6 @@
 """What MuJoCo's compiled model says, compared with what the scenario and the settings mean.
 
-All that the adapter sets is in the model. MuJoCo has no restitution: it is read out of the contact's damping.
+All that the adapter sets is in the model. The restitution is read out of the contact's damping.
 """
 
 from __future__ import annotations

@@ -70,7 +70,8 @@ class PyBullet(Engine):
     package = "pybullet"
     distributions = ("pybullet", "pybullet-arm64")
     extra = "pybullet"
-    wheels = "CPython 3.11 to 3.13 on Linux x86-64, Windows and macOS on ARM"
+    installing = "pip install --force-reinstall --no-deps --require-hashes -r bullet.txt"
+    wheels = "CPython 3.11 to 3.13 on Linux x86-64, Windows x86-64 and macOS on ARM, 3.13 from macOS 14"
     applies_forces = True
     allowed: ClassVar[Mapping[str, Allowed]] = {
         "coordinates": ("maximal", "multibody"),

@@ -32,6 +32,10 @@ from reference.spatial_impact import BY_AXES
 STOCK_TIMESTEP = 1 / 240
 STOCK_REST_SPEED = 0.2
 """Bullet's default for the relative speed below which it lets a contact rest, m/s."""
+STOCK_DAMPING = 0.04
+"""Bullet's default for the damping d of a multibody, 1/s: it takes d (1 + v) v per second from v and from the spin."""
+MARGIN = 1e-3
+"""By how much Bullet makes a hull thicker, unless it is told otherwise, and rounds the edges of a box, m."""
 SWEEP_TOLERANCE = 1e-3
 """A swept ball that starts no farther than this from a surface, m, touches it at once: btContinuousConvexCollision."""
 SWEPT_INSET = 1.1 * SWEEP_TOLERANCE

@@ -18,7 +18,7 @@ from itertools import pairwise
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines import surveying
+from reference.engines import pybullet_settings, surveying
 from reference.engines.base import ANSWERS_EXACT, ANSWERS_IN_SINGLE, ANSWERS_OF_BULLET, Method
 from reference.engines.surveying import (
     BALL,
@@ -41,8 +41,6 @@ from reference.scene.settings import Settings
 from reference.scene.surfaces import winding_number
 from reference.scene.survey import Survey, at_time
 
-BULLETS_MARGIN = 1e-3
-"""Bullet adds it to a hull unless it is told otherwise, m."""
 BULLETS_NEAR = 1e-3
 """As near to a hull Bullet's ray has to come, m (`radius` in `btGjkConvexCast`)."""
 BULLETS_STEPS = 10216
@@ -67,7 +65,7 @@ class View:
         """By hand there are no such settings: the solid is what its triangles enclose."""
         rays_of, distances_of, inside_by = (str(settings.options.get(key, "")) for key in _KEYS)
         bullets = method.rule == ANSWERS_OF_BULLET
-        margin = float(settings.options.get(MESH_MARGIN, BULLETS_MARGIN)) if bullets else 0.0
+        margin = float(settings.options.get(MESH_MARGIN, pybullet_settings.MARGIN)) if bullets else 0.0
         return cls(rays_of, distances_of, inside_by, margin, bullets)
 
     def answer(self, query: Query) -> float:

@@ -6,6 +6,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.base import BULLET_DAMPED, DART, Method
+from reference.engines.pybullet_settings import STOCK_DAMPING
 from reference.prediction import integrators, joints
 from reference.prediction.bodies import darts_stretch, turn_by
 from reference.prediction.forces import Forces
@@ -14,15 +15,15 @@ from reference.scene import geometry
 from reference.scene.scenario import Scenario, Sphere
 from reference.scene.settings import Settings
 
-BULLETS_DAMPING = float(np.float32(0.04))
-"""Bullet's default for multibodies, 1/s, in the single precision in which it is kept."""
+BULLETS_DAMPING = float(np.float32(STOCK_DAMPING))
+"""In the single precision in which Bullet keeps it, 1/s."""
 
 
 def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
     """The ways of balls and point masses under the forces of the start of each step; None for boxes, which tumble.
 
     v⁺ = v + dt (g + F/m), x⁺ = x + dt v⁺, and the same for spins, ω⁺ = ω + dt τ/I; or another integrator, where the
-    rule names one. A multibody of Bullet's also loses dt 0.04 (1 + v) v of its velocity, and as much of its spin:
+    rule names one. A multibody of Bullet's also loses dt d (1 + v) v of its velocity, and as much of its spin:
     `btMultiBody::computeAccelerationsArticulatedBody…`.
     """
     if method.rule in joints.RULES:

@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from reference import lecture
 from reference.comparison.verdicts import Row
+from reference.engines import facts
 from reference.lecture import Statement
 from reference.report import agreement, numbers, results_in_words, settings_told
 from reference.report.agreement import Matrix
@@ -76,6 +77,7 @@ def render(
             kinds=KINDS,
             noticed={section.family.name: kept_sentence(section) for section in found},
             measured=_measured,
+            measured_with=facts.MEASURED_WITH,
             error_of=error_of,
             matrices={section.family.name: Matrix.of(section) for section in found},
             relations=agreement.LEGEND,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import importlib.metadata
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,7 +13,7 @@ from labs import notebook
 from labs.desk import student_code
 from labs.grading.calling.remote import Grader
 from labs.grading.judging import pytest_run
-from reference.engines import engine_names, load_engine
+from reference.engines import distributions, engine_names, load_engine
 from reference.running.availability import absent
 from reference.running.isolate import stop_workers
 
@@ -63,23 +62,16 @@ def one_worker(monkeypatch) -> None:
 def engines_missing(folder: Path) -> Iterator[None]:
     """Let none be imported, neither here nor in a worker, nor its version be known here."""
     packages = [package for name in engine_names() if (package := load_engine(name).package)]
-    sources = {name for engine in engine_names() for name in load_engine(engine).sources()}
-    distribution = importlib.metadata.distribution
 
     def forget() -> None:
         stop_workers()  # those that are idle have imported them already
         absent.cache_clear()
 
-    def all_others(name: str) -> importlib.metadata.Distribution:
-        if name in sources:
-            raise importlib.metadata.PackageNotFoundError(name)
-        return distribution(name)
-
     for package in packages:
         (folder / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(folder))
-        patch.setattr(importlib.metadata, "distribution", all_others)
+        patch.setattr(distributions, "is_here", lambda module: False)
         forget()
         yield
     forget()

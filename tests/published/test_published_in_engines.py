@@ -13,11 +13,11 @@ import pytest
 from reference import truth
 from reference.catalogue import measure
 from reference.comparison.verdicts import Verdict
-from reference.engines import load_engine
+from reference.engines import load_engine, pybullet_settings
 from reference.engines.base import AT_STEP, Method
 from reference.published.case import Published
 from reference.published.drivers import DRIVERS
-from reference.published.in_engines import bouncing, loaded, scenes, springs, touching
+from reference.published.in_engines import bouncing, loaded, scenes, springs
 from reference.published.in_engines.at_step import Bounce, apexes_off, stepped, times_off
 from reference.published.judging import compare_published
 from reference.published.results import PublishedJob, PublishedRow
@@ -206,7 +206,7 @@ def test_a_sphere_differs_from_lammps_own_steps_by_the_stated_half_step(name, ca
 
 
 def test_bullets_distance_is_that_of_a_box_rounded_by_its_margin(installed):
-    bullet, half, radius, margin = installed("pybullet"), np.array([0.3, 0.5, 0.7]), 0.2, touching.BULLETS_MARGIN
+    bullet, half, radius, margin = installed("pybullet"), np.array([0.3, 0.5, 0.7]), 0.2, pybullet_settings.MARGIN
     box, found, rounded = Body("box", Box(tuple(half))), [], []
     for place in ((0.9, 1.1, 1.0), (0.2, 1.4, 1.2), (0.1, 0.2, 1.5)):  # near a corner, an edge and a face
         ball = Body("ball", Sphere(radius), position=place)

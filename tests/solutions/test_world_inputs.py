@@ -10,6 +10,7 @@ from solutions.world.mass import in_principal_axes
 from solutions.world.memory import NOTHING
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
+from solutions.world.simple_contacts import candidate_pairs
 from solutions.world.step import advance_world
 
 INF, NAN = np.inf, np.nan
@@ -174,3 +175,11 @@ def test_a_step_that_no_world_can_take_is_refused(given, says):
 def test_a_run_of_no_number_of_steps_is_refused(given, says):
     with pytest.raises(ValueError, match=says):
         run_world(two(), make_state([(0, 0, 1), (1, 2, 3)]), DOWN, **{"dt": 0.01, "steps": 3, **given})
+
+
+def test_a_motion_beyond_all_numbers_and_a_box_turned_inside_out_are_refused():
+    far = make_state([(0, 0, 1), (1.7e308, 2, 3)], velocity=[(0, 0, 0), (1e308, 0, 0)])
+    with np.errstate(all="ignore"), pytest.raises(ValueError, match="the motion is not finite at 10 s"):
+        run_world(two(), far, DOWN, 10.0, 3)
+    with pytest.raises(ValueError, match="lower must not be above upper"):
+        candidate_pairs([[0.0, 0.0, 2.0]], [[1.0, 1.0, 1.0]])

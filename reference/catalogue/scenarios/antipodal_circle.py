@@ -25,6 +25,7 @@ from reference.catalogue.scenarios.walkers import (
     speeding,
     walker,
 )
+from reference.engines import facts
 from reference.prediction import steered
 from reference.scene.scenario import Sphere
 
@@ -91,11 +92,10 @@ ANTIPODAL_CIRCLE = Family(
     " on which side to pass.",
     why=(
         "No contact ever acts here. An engine therefore only has to integrate a force, and all four implementations do"
-        " that by semi-implicit Euler. They agree with the recurrence, and with each other, to 10⁻¹³ m. The least gap"
+        " that by semi-implicit Euler. They agree with the recurrence, and with each other, to rounding. The least gap"
         f" is twice the margin, {2e3 * MARGIN:g} mm, because the rule lets two walkers pass as near as that.",
-        "Stock PyBullet damps every velocity. The rule notices this and makes up for it, but in each interval the"
-        " walkers lose some speed again. The last of them arrives 0.1 to 0.2 s later than in the other"
-        " implementations.",
+        f"{facts.PYBULLET_DAMPS} The rule notices this and makes up for it, but in each interval the walkers lose some"
+        " speed again, so that the last of them arrives a little later than in the other implementations.",
         "The deadlock is a fault of the rule and not of an engine: in all four implementations the two walkers stop in"
         " the same places. A goal that lies a few degrees to the right is enough to avoid it. Their gap shrinks as"
         " `e^(−t/τ)`. At the end of the run they are 2.7 mm short of the place where they would meet, whatever the"

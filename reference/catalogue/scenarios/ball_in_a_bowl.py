@@ -16,6 +16,7 @@ from reference.catalogue.scenarios import bowls, solids
 from reference.catalogue.scenarios.bowls import RIM, SIZE
 from reference.catalogue.scenarios.tolerances import ROUNDING
 from reference.checks import Quaternion
+from reference.engines import facts
 from reference.engines.base import BULLET, EXACT, Method
 from reference.engines.surveying import CONTACTS_OF, HULL
 from reference.errors import RunFailed
@@ -241,11 +242,10 @@ BALL_IN_A_BOWL = Family(
         "A convex hull contains every segment between two of its points. The hull of the bowl therefore has a lid from"
         " rim to rim. Nobody sees the lid, but the ball comes to rest on it, as high above the floor as the bowl is"
         " deep.",
-        "If PyBullet is given only the vertices of a mesh, it makes their hull and adds a margin of 1 mm. If it is"
-        " given the faces as well (`indices`), it keeps the triangles of a body that does not move, and the ball falls"
-        " to the floor. The tuned settings do that.",
-        "MuJoCo computes contacts with the hull of every mesh, even if the mesh has faces. The tuned settings give it"
-        " the bowl as five convex pieces, one geom each.",
+        f"{facts.PYBULLET_MAKES_HULLS} {facts.PYBULLET_WIDENS_HULLS} If it is given the faces as well (`indices`), it"
+        " keeps the triangles of a body that does not move, and the ball falls to the floor. The tuned settings do"
+        " that.",
+        f"{facts.MUJOCO_TAKES_HULLS} The tuned settings give it the bowl as five convex pieces, one geom each.",
         "DART keeps the triangles. But its default detector, the Flexible Collision Library, reports the depth of a"
         " ball in a mesh as a negative number, and DART ignores a contact without depth. So the ball falls through"
         " every mesh, through the block as well as through the bowl. In the tuned settings DART's own detector finds"

@@ -12,7 +12,9 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import TENTHS, Grid, Parameter
 from reference.catalogue.scenarios.tolerances import MILLIMETRE, at_rest, within_a_millimetre
+from reference.engines import facts
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED, Method
+from reference.engines.pybullet_settings import STOCK_REST_SPEED
 from reference.prediction import bouncing
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
@@ -170,13 +172,11 @@ DROPPED_BALL = Family(
         " sends the ball back with the right speed from the wrong place, and the mean apex is shifted by `−(1 − e) v"
         " dt/2`. Hand-written code at the step shows exactly this.",
         "PyBullet, tuned, takes the share `1 − e` of the overlap back by moving the ball without adding speed. Its"
-        " mean error vanishes, and a single drop still scatters by `e (1 − e) v dt/√12`. Stock, it makes contacts"
-        " while the ball is still above the floor and subtracts the gap divided by `dt` from the rebound: the"
-        " smaller the step, the larger that loss, until nothing bounces at all.",
-        "MuJoCo has no coefficient of restitution, so its stock contact does not bounce for any `e`. Tuned, a"
-        " damping of `(1 + e)/dt` turns `v` into `−e v` in one step. The textbook's spring and dashpot lets go of"
-        " the ball at a depth of order `v/√k`, since a contact cannot pull; a smaller timestep does not remove that"
-        " part of the error, only a stiffer spring does.",
+        " mean error vanishes, and a single drop still scatters by `e (1 − e) v dt/√12`."
+        f" {facts.PYBULLET_STARTS_EARLY} The smaller the step, the larger that loss, until nothing bounces at all.",
+        f"{facts.MUJOCO_HAS_NO_RESTITUTION} Tuned, a damping of `(1 + e)/dt` turns `v` into `−e v` in one step. The"
+        " textbook's spring and dashpot lets go of the ball at a depth of order `v/√k`, since a contact cannot pull; a"
+        " smaller timestep does not remove that part of the error, only a stiffer spring does.",
         "DART's step has already added `g dt` to the speed, so its mean apex is shifted by `−(1 − e) v dt/2 + e² v"
         " dt`, which happens to vanish at e = 0.5. Stock, at 1 ms, that is 4 % of the rebound at e = 0.2; tuned, at"
         " a tenth of the timestep, it is a tenth of that.",
@@ -227,12 +227,11 @@ BALL_TO_REST = Family(
     expected="The flights between the impacts last `2 eⁿ t₁` with `t₁ = √(2 h/g)`. Infinitely many of them take the"
     " finite time `t₁ (1 + e)/(1 − e)`: 8.579 s for h = 1 m, e = 0.9. Then the ball lies still.",
     why=(
-        "No step method can follow infinitely many bounces. Each engine lets a contact rest below some speed `v`,"
-        " and the bounces that it leaves out would have taken `2 e v/(g (1 − e))` more. That speed is `3 g dt` in"
-        " tuned PyBullet, 0.2 m/s in stock PyBullet, which ends the bounces early, and 0.1 m/s in DART, a constant"
-        " of its own.",
-        "What a step adds to each rebound, `e g dt`, delays a lively ball in DART: stock, at e = 0.9, by 10 %. At e"
-        " = 0.95 it would never stop.",
+        "No step method can follow infinitely many bounces. Each engine lets a contact rest below some speed `v`, and"
+        " the bounces that it leaves out would have taken `2 e v/(g (1 − e))` more. That speed is `3 g dt` in tuned"
+        f" PyBullet, and {STOCK_REST_SPEED:g} m/s in stock PyBullet, which ends the bounces early. {facts.DART_RESTS}",
+        "What a step adds to each rebound, `e g dt`, delays a lively ball in stock DART. At e = 0.95 it would never"
+        " stop.",
         "A resolved spring and dashpot lasts some `π/√k`, where the rigid contact takes no time, so the spring"
         " profiles come to rest late. PyBullet's ball then lies still, `g/k` deep. MuJoCo's chatters with about `g"
         " dt/2`.",

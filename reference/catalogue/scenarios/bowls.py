@@ -9,10 +9,10 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.checks import Vector
+from reference.engines import pybullet_settings
 from reference.engines.base import DART, MUJOCO_ONE_STEP, Method
 from reference.engines.surveying import CONTACTS_OF, HULL
 from reference.prediction import bands, loaded, striking
-from reference.prediction.answering import BULLETS_MARGIN
 from reference.prediction.predicted import Prediction
 from reference.scene import geometry
 from reference.scene.polyhedron import Polyhedron, Triangle
@@ -133,7 +133,8 @@ def falls_through(settings: Settings, method: Method) -> bool:
 
 def margin_of(settings: Settings) -> float:
     """By how much Bullet makes a hull thicker, m."""
-    return BULLETS_MARGIN if settings.options.get(CONTACTS_OF) == HULL and "coordinates" in settings.options else 0.0
+    is_hull = settings.options.get(CONTACTS_OF) == HULL and "coordinates" in settings.options
+    return pybullet_settings.MARGIN if is_hull else 0.0
 
 
 def _half_space(solid: Body, number: int, place: Array, normal: Array) -> Body:

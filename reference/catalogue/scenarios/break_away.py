@@ -254,13 +254,11 @@ BREAK_AWAY = Family(
         " sweeps stop before they have converged. The error of the speed is then at most what the growth of the push"
         " in one step adds to it. In the hand-written world a corner may even let go one step early. Where static"
         " friction is larger than kinetic friction, the whole slab then breaks away with that corner.",
-        "MuJoCo creeps below the limit. Tuned MuJoCo creeps by some micrometres, because friction turns the slab about"
-        " its centre and the normal forces of the next step turn it back; a harder push turns it farther. The friction"
-        " of stock MuJoCo is a soft constraint that yields under any pull, by 0.2 to 0.9 mm here.",
+        "Below the limit tuned MuJoCo creeps by micrometres: friction turns the slab about its centre, and the normal"
+        " forces of the next step turn it back. A harder push turns it farther.",
         "The friction cones of two stock engines are no circles, and a push at 30° shows it. MuJoCo's diamond lets the"
         " slab go at 73 % of the push that Coulomb's law allows, `1/(cos φ + sin φ)`, and the slab slides off towards"
-        " 45°, here at 43°. DART's square holds the slab up to 115 %, `1/cos φ`, and the slab slides off along the"
-        " axis.",
+        " 45°. DART's square holds the slab up to 115 %, `1/cos φ`, and the slab slides off along the axis.",
     ),
     cases=(
         _case(0.3, 20.0),

@@ -138,9 +138,9 @@ CLOTH_OVER_A_BALL = Family(
         " and the recurrence adds that law to the forces at the start of each step.",
         "By hand, `mesh_step` moves the masses, and `mesh_sphere_contact` moves those that have entered the ball back"
         " onto its surface. The lecture has no function for a shape at rest with contacts, so no method is exact.",
-        "In an engine the resting masses are a little way inside the ball: 1 nm in tuned PyBullet, 42 nm in tuned"
-        " MuJoCo, whose contacts are soft, and 43 nm in tuned DART. With the stock settings it is 10 µm in PyBullet and"
-        " 0.5 mm in MuJoCo.",
+        "In an engine the resting masses are a little way inside the ball. PyBullet leaves the overlap that it is told"
+        " to leave. MuJoCo's contacts give way under the weight, as installed much farther than tuned. What DART"
+        " leaves comes from the landing.",
     ),
     cases=(_laid(1.0), _laid(2.0)),
     quantities=(

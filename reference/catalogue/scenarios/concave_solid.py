@@ -12,6 +12,7 @@ from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios import solids
 from reference.catalogue.scenarios.solids import TURNED, UPRIGHT, Placed, faces
 from reference.checks import Quaternion, Vector
+from reference.engines import facts
 from reference.engines.surveying import TIMESTEP
 from reference.prediction import answering
 from reference.scene import geometry
@@ -147,18 +148,15 @@ CONCAVE_SOLID = Family(
     " nearest wall. Of two channels that are hooked into each other, a wall of each hangs in the pocket of the other.",
     why=(
         "A convex hull that contains two points also contains all points between them. The hull of the channel"
-        " therefore has an invisible lid from rim to rim, and the pocket below the lid is solid. PyBullet makes the"
-        " hull of a mesh if it is given the vertices and nothing else. MuJoCo computes contacts and distances with the"
-        " hull of every mesh. Both then answer that a point in the pocket is inside, and that a ball, a box or"
-        " another channel in the pocket overlaps the channel.",
+        " therefore has an invisible lid from rim to rim, and the pocket below the lid is solid."
+        f" {facts.PYBULLET_MAKES_HULLS} {facts.MUJOCO_TAKES_HULLS} Both then answer that a point in the pocket is"
+        " inside, and that a ball, a box or another channel in the pocket overlaps the channel.",
         "In the same model MuJoCo's rays see the triangles, and go down to the floor. A ray and a contact therefore"
         " disagree on where the solid is.",
         "The remedy is to describe the solid as convex pieces, here two walls and a floor. Tuned PyBullet and MuJoCo"
-        " find gaps from these pieces. To decide whether a point is inside, the lab counts how often a ray from the"
-        " point crosses the triangles.",
-        "DART uses the triangles for everything, so it is right about the pocket and about every gap outside. But"
-        " triangles have no inside: for a ball that is wholly within the floor, DART gives the gap that the ball would"
-        " have outside.",
+        f" find gaps from these pieces. {facts.NO_ENGINE_KNOWS_INSIDE}",
+        "DART uses the triangles for everything, so it is right about the pocket and about every gap outside."
+        f" {facts.DART_SEES_NO_INSIDE}",
     ),
     cases=CASES,
     quantities=(

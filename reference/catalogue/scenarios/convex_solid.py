@@ -13,6 +13,7 @@ from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios import solids
 from reference.catalogue.scenarios.solids import HAIR, TURNED, UPRIGHT, Placed, Touching, corners, edges, faces
 from reference.checks import Quaternion, Vector
+from reference.engines import facts
 from reference.engines.surveying import TIMESTEP
 from reference.prediction import answering
 from reference.scene.polyhedron import Polyhedron
@@ -162,23 +163,21 @@ CONVEX_SOLID = Family(
     " edge across an edge, and a second octahedron with a face before a vertex. A segment is in the solid from the"
     " last plane of a face that it enters to the first that it leaves.",
     why=(
-        "Bullet adds a margin of 1 mm to a convex hull. As installed it therefore gives every gap 1 mm too small and"
-        " stops a ray too early. Its search along a ray ends as soon as it is within 1 mm of that margin, which only"
-        " shows near edges. Two hulls have two margins, and are 2 mm too near to each other. A box keeps its size:"
-        " there the margin rounds off edges and corners, so that a corner is up to 0.7 mm farther away than it should"
-        " be. In the tuned settings rays meet the triangles, which have no margin, and gaps are measured to a hull"
-        " without a margin.",
-        "Bullet also puts the vertices of a hull on a grid of 10216 steps between the least and the largest coordinate"
-        " along each axis, so that the error of a gap is up to `10⁻⁴` of the size of the solid.",
+        f"{facts.PYBULLET_WIDENS_HULLS} As installed it therefore gives every gap that much too small and stops a ray"
+        " too early. Its search along a ray ends as soon as it is within 1 mm of that margin, which only shows near"
+        " edges. Two hulls have two margins, and are too near to each other by both. A box keeps its size: there the"
+        " margin rounds off edges and corners, so that a corner is up to 0.7 mm farther away than it should be. In the"
+        " tuned settings rays meet the triangles, which have no margin, and gaps are measured to a hull without a"
+        " margin.",
+        f"Bullet also puts the vertices of a hull on a grid of {answering.BULLETS_STEPS} steps between the least and"
+        " the largest coordinate along each axis, so that the error of a gap is up to `10⁻⁴` of the size of the solid.",
         "MuJoCo and DART keep the vertices of a mesh in single precision, so that lengths are right to `10⁻⁷` of the"
         " solid's size. MuJoCo ends its search for nearest points when it is within 1 µm.",
-        "DART measures distances to triangles, which have no inside. For a ball that is wholly within the solid, it"
-        " gives the gap that the ball would have outside, equally far from the surface. Of two solids that overlap, it"
-        " says that they are 0 m apart. None of the hand-written functions tells how deep two solids overlap either, so"
-        " the lab only asks about solids that are apart.",
-        "No engine has a function that decides whether a point is inside. With tuned engines the lab counts how often"
-        " a ray from the point crosses the triangles. With stock PyBullet and MuJoCo it asks for the gap of a ball"
-        " with a radius of 1 µm.",
+        f"{facts.DART_SEES_NO_INSIDE} Of two solids that overlap, it says that they are 0 m apart. None of the"
+        " hand-written functions tells how deep two solids overlap either, so the lab only asks about solids that are"
+        " apart.",
+        f"{facts.NO_ENGINE_KNOWS_INSIDE} With stock PyBullet and MuJoCo it asks for the gap of a ball with a radius of"
+        " 1 µm.",
     ),
     cases=_cases("convex-solid", _about_the_solid),
     quantities=(
@@ -210,9 +209,9 @@ SOLID_EDGES = Family(
     expected="Everything beside the solid is outside, however near it is. A ray to an edge or a vertex meets the solid"
     " there: no ray slips through between two faces.",
     why=(
-        "Bullet, as installed, makes a hull 1 mm thicker than its vertices say, and reports a hit for points and rays"
-        " that are half a millimetre beside the solid. A margin of zero does not help: without a margin many of its"
-        " rays miss a hull altogether. Triangles have no margin.",
+        f"{facts.PYBULLET_WIDENS_HULLS} As installed it therefore reports a hit for points and rays that are half a"
+        " millimetre beside the solid. A margin of zero does not help: without a margin many of its rays miss a hull"
+        " altogether. Triangles have no margin.",
         "A ray that aims at an edge may slip through in MuJoCo and DART: they test each triangle by itself, and"
         " rounding may put the ray beside both triangles. No ray slipped through in Bullet. The hand-written code"
         " computes all signs exactly, and the border belongs to both triangles.",

@@ -12,6 +12,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios.friction import slab_on_plane, way_of
+from reference.engines import facts
 from reference.engines.base import DIAMOND, EXACT, Method
 from reference.prediction import sliding
 from reference.scene.forces import Force
@@ -71,7 +72,7 @@ def _expect_speed(case: Case, settings: Settings, method: Method) -> Expectation
     creeps = math.hypot(
         *friction_truth.creep_of_a_soft_pyramid(told["friction"], (told["x"], told["y"]), told["pressed"])
     )
-    soft = "MuJoCo's friction is a soft constraint, which yields to any pull"
+    soft = facts.MUJOCO_CREEPS.removesuffix(".")
     return Expectation(0.0, SLOW, why, creeps, soft, SHARE * creeps, size)
 
 
@@ -85,18 +86,16 @@ CREEP = Family(
     f" to the end, at {DURATION:g} s.",
     expected="Static friction balances the pull as long as the pull is at most `μ N`. So nothing moves.",
     why=(
-        "Hand-written code sets the velocity to zero. Tuned PyBullet and DART end any slip within a step, and creep by"
-        " less than 0.1 µm in a second.",
-        "Tuned MuJoCo creeps for a different reason: friction turns the slab, the main solver does not take that into"
-        " account, and the corners leave the ground in turn. The slab creeps by up to 0.1 mm in a second, in"
-        " proportion to the timestep.",
-        "Stock MuJoCo's friction is a dashpot: an edge of its pyramid pushes back only while the slab moves. The speed"
-        " at which the dashpots carry the pull has a closed form. With default contacts, on four corners, it is the"
-        " pull over the mass times `(1 + μ²) (1 − d) d₁ t_c/(8 d)`. Here `t_c` is 20 ms, and the impedance `d` is 0.9"
-        " and grows with the overlap, to `d₁ = 0.95`. Where the pull exceeds half of `μ N`, one edge of the pyramid"
-        " can no longer push, and the speed becomes up to twice as large. A smaller timestep changes nothing.",
-        "Stock DART finds only one contact point of a box. The slab rocks on it and wanders off by up to 3 mm in a"
-        " second.",
+        "Hand-written code sets the velocity to zero. Tuned PyBullet and DART end any slip within a step, and hardly"
+        " creep.",
+        facts.MUJOCO_ROCKS,
+        "Stock MuJoCo creeps for a different reason. Its friction is a dashpot: an edge of its pyramid pushes back"
+        " only while the slab moves. The speed at which the dashpots carry the pull has a closed form. With default"
+        " contacts, on four corners, it is the pull over the mass times `(1 + μ²) (1 − d) d₁ t_c/(8 d)`. Here `t_c` is"
+        " 20 ms, and the impedance `d` is 0.9 and grows with the overlap, to `d₁ = 0.95`. Where the pull exceeds half"
+        " of `μ N`, one edge of the pyramid can no longer push, and the speed becomes up to twice as large. A smaller"
+        " timestep changes nothing.",
+        f"{facts.DART_HAS_ONE_POINT} The slab wanders off that way.",
     ),
     cases=(
         *(_on_a_slope(*each) for each in ((1.0, 40.0), (0.7, 30.0), (0.5, 20.0), (0.3, 10.0))),

@@ -13,6 +13,7 @@ from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
+from reference.engines import facts
 from reference.engines.base import COMPLIANT, Method
 from reference.errors import RunFailed
 from reference.prediction import edges
@@ -217,13 +218,11 @@ CROSSED_EDGES = Family(
         "DART finds the crossing of edges only with another detector. DART's own detector takes corners of the overlap"
         " for contacts, and the impulse is up to 6 % too large. The tuned settings use the Flexible Collision Library,"
         " which DART also uses as installed.",
-        "MuJoCo always has friction, with a coefficient of at least 10⁻⁵. Its impulse therefore deviates from the"
-        " normal by some 10⁻⁷ rad. In its spring profile the boxes turn while the contact lasts.",
+        f"{facts.MUJOCO_ALWAYS_RUBS} Its impulse therefore deviates a little from the normal. In its spring profile"
+        " the boxes turn while the contact lasts.",
         "Nobody here is symmetric, so that an error in how a contact or a turn is read does not hide: bodies that are"
         " swapped, an overlap taken for a gap or the numbers of a quaternion in another order put a surface elsewhere."
-        " PyBullet's surfaces are 4 µm beside the edges. All others are on them to rounding.",
-        "Stock PyBullet turns the overlap into speed, and its impulses are 4 to 6 % too large. Stock MuJoCo has no"
-        " restitution, and its impulses are 50 to 83 % of the right ones.",
+        " PyBullet's surfaces are micrometres beside the edges. All others are on them to rounding.",
     ),
     cases=(
         _crossed(0.6, 3.1, 111.0),

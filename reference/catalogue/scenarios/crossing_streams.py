@@ -27,6 +27,7 @@ from reference.catalogue.scenarios.walkers import (
     walker,
 )
 from reference.checks import Vector
+from reference.engines import facts
 from reference.prediction import steered
 from reference.scene.scenario import Body, Scenario, Sphere
 from reference.scene.steering import Steering
@@ -88,10 +89,10 @@ CROSSING_STREAMS = Family(
     " what must be measured, and also what the implementation's own distance query must answer.",
     why=(
         "No contact ever acts here, and all implementations integrate a force by semi-implicit Euler. They agree with"
-        " the recurrence to 10⁻¹³ m. Their distance queries agree with the formula to 10⁻¹⁵ m, also in overlap.",
+        " the recurrence to rounding. So do their distance queries with the formula, also in overlap.",
         "Letting the other stream pass takes time: at 70° the last walker arrives 1.6 s later than without avoidance.",
-        "Stock PyBullet damps every velocity, so that the walkers come to the crossing later and pass it in another"
-        " order: at 70° the last one arrives 0.9 s earlier than in the other implementations, at 115° 0.2 s later.",
+        f"{facts.PYBULLET_DAMPS} The walkers come to the crossing later there and pass it in another order: at 70° the"
+        " last one arrives earlier than in the other implementations, at 115° later.",
     ),
     cases=(_streams(ANGLE), _streams(115.0), _streams(ANGLE, straight_on=True)),
     quantities=(clearance(), overlap(_overlap), contacts(), arrived(), left(), last_arrival(), speeding()),

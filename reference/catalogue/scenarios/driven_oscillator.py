@@ -14,6 +14,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios.oscillator import ANCHOR, DOWN, MASS, REST_LENGTH, STIFFNESS
+from reference.engines import facts
 from reference.engines.base import BULLET_DAMPED, EXACT, Method
 from reference.prediction import loaded
 from reference.scene.forces import OscillatingForce, Spring
@@ -117,14 +118,13 @@ def _quantity(
         exact = theory(case)
         if method.kind == EXACT:
             return Expectation(exact, ROUNDING * exact, "rounding only: the motion is solved", size=exact)
-        why = _DAMPED if method.rule == BULLET_DAMPED else _LATE
+        why = facts.PYBULLET_DAMPED if method.rule == BULLET_DAMPED else _LATE
         return Expectation(exact, SHARE * exact, "0.1 %", shift_reason=why, size=exact)
 
     return Quantity(name, title, unit, read, expect, None if theory is _one else theory, share_of=share_of)
 
 
 _LATE = "semi-implicit Euler takes force, spring and damper as they were at the start of the step"
-_DAMPED = "Bullet's default damping brakes the ball by 0.04 (1 + v) v per second as well"
 
 DRIVEN_OSCILLATOR = Family(
     name="driven-oscillator",
@@ -150,8 +150,7 @@ DRIVEN_OSCILLATOR = Family(
         " instant.",
         "All engines follow the recurrence to rounding. In all of them the lab applies the force at the start of each"
         " step. In MuJoCo's profile `tendons` the spring is a tendon of MuJoCo's own.",
-        "Stock PyBullet also damps the velocity by 0.04 (1 + v) v per second, which lowers the amplitude at resonance"
-        " by 1 %.",
+        f"{facts.PYBULLET_DAMPS} This lowers the amplitude at resonance.",
     ),
     cases=tuple(_driven(ratio) for ratio in (0.5, 1.0, 2.0)),
     quantities=(

@@ -11,6 +11,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios.bouncing_ball import FLOOR, REBOUND, dropped
 from reference.catalogue.scenarios.tolerances import DEGREE, MILLIMETRE, within_a_millimetre
+from reference.engines import facts
 from reference.engines.base import Method
 from reference.prediction import bouncing
 from reference.scene.scenario import GRAVITY, Body, Box, Pair, Scenario
@@ -61,11 +62,10 @@ BOX_FLAT = Family(
     expected="Four equal impulses at the corners have no moment about the centre: the cube does not turn, and"
     " rebounds to `e²` of the drop height as a ball does.",
     why=(
-        "On its half-space PyBullet finds one new contact point of a box in each step, so that a flat box is kicked"
-        " at one corner first: stock, it tilts by 5° at e = 0, and tumbles at e = 0.5. Tuned, its ground is a large"
-        " box on which it finds all four corners at once, and the cube stays level to the last digit.",
-        "MuJoCo finds the four corners at once. Each of its soft contacts gives a little too much: the rebound is"
-        " some 0.02 % high. At e = 0 the cube sinks by up to `v dt`, 0.4 mm, and comes back slowly.",
+        f"{facts.PYBULLET_TAKES_CORNERS_IN_TURN} Tuned, its ground is a large box on which it finds all four corners"
+        " at once, and the cube stays level to the last digit.",
+        "MuJoCo finds the four corners at once. Each of its soft contacts gives a little too much, so that the rebound"
+        " is a little high. At e = 0 the cube sinks by up to `v dt`, 0.4 mm, and comes back slowly.",
     ),
     cases=tuple(dropped("box-flat", restitution, _falling_cube, DROPS) for restitution in (0.0, 0.5)),
     quantities=(
@@ -148,9 +148,9 @@ BOX_ON_EDGE = Family(
         "All agree on the face and on the energy at the end, whatever happens in between: the impact also absorbs"
         " the weight of a step, so that the cube turns 0.4 % too fast in PyBullet at 1 ms, and small differences"
         " grow as it rocks.",
-        "PyBullet, tuned, keeps contacts up to the fall of one step, `g dt²`, apart: with none at all a cube that"
-        " has landed askew rocks from corner to corner without end. Stock MuJoCo sinks in by 17 mm on landing, and"
-        " ends on the right face too.",
+        "PyBullet, tuned, keeps contacts up to the fall of one step, `g dt²`, apart: with none at all a cube that has"
+        " landed askew rocks from corner to corner without end. Stock MuJoCo sinks in deep on landing, and ends on the"
+        " right face too.",
     ),
     cases=tuple(_on_edge(degrees) for degrees in (10.0, 20.0, 30.0, 40.0)),
     quantities=(

@@ -21,6 +21,7 @@ from reference.catalogue.scenarios.walkers import (
     speeding,
     walker,
 )
+from reference.engines import facts, pybullet_settings
 from reference.engines.base import BULLET, BULLET_DAMPED, Method
 from reference.prediction import steered
 from reference.scene.scenario import Body, Box, Pair, Scenario
@@ -50,8 +51,8 @@ LEGS, MARGIN, LONG = 50.0, 0.1, 8.0
 """The largest force of a boid, N, by how much larger it counts as it is, m, and how long is watched, s."""
 SEPARATION, WEAK = 0.4, 0.1
 """The weight of separation that keeps all boids apart, and one that does not, m²/s²."""
-EDGES = 1e-3 * (math.sqrt(2) - 1)
-"""By how much the rounded edges of Bullet's boxes, 1 mm, lie farther back than true ones, m."""
+EDGES = pybullet_settings.MARGIN * (math.sqrt(2) - 1)
+"""By how much the rounded edges of Bullet's boxes lie farther back than true ones, m."""
 
 
 def _flock(separation: float) -> Case:
@@ -116,13 +117,13 @@ FLOCK_PAST_PILLAR = Family(
     " the pillar all boids fly side by side again: the mean of their directions has the length 1. Theory does not say"
     " how near they come. The recurrence does, in which the same functions give the force.",
     why=(
-        "All implementations agree with the recurrence to 10⁻¹³ m, except for one answer of PyBullet. Its boxes have"
-        " edges that are rounded with a radius of 1 mm, and so its distance query reports a boid beside an edge of the"
-        " pillar up to 0.41 mm farther away than it is.",
+        "All implementations agree with the recurrence to rounding, except for one answer of PyBullet. Its boxes have"
+        f" edges that are rounded with a radius of {1e3 * pybullet_settings.MARGIN:g} mm, and so its distance query"
+        f" reports a boid beside an edge of the pillar up to {1e3 * EDGES:.2f} mm farther away than it is.",
         f"Separation is one wish among others and promises nothing. With a weight of {WEAK:g} m²/s² the other wishes"
         " are stronger, and two boids overlap by 65 mm. Reciprocal avoidance, which steers the walkers of"
         " `antipodal-circle`, never chooses such velocities.",
-        "Stock PyBullet damps every velocity, so that the flock is slower.",
+        f"{facts.PYBULLET_DAMPS} The flock is slower there.",
     ),
     cases=(_flock(SEPARATION), _flock(WEAK)),
     quantities=(

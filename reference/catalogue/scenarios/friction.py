@@ -15,6 +15,7 @@ from reference.catalogue.grid import TENTHS, Grid, Parameter
 from reference.catalogue.scenarios.slopes import downhill_on, normal_of
 from reference.catalogue.scenarios.tolerances import MILLIMETRE, ROUNDING, from_rest, within_a_millimetre
 from reference.checks import Vector
+from reference.engines import facts
 from reference.engines.base import BULLET, EXACT, MUJOCO_ONE_STEP, Method
 from reference.prediction import bands, sliding
 from reference.scene import geometry
@@ -153,17 +154,14 @@ SLIDING_SLAB = Family(
     expected="Kinetic friction `μ m g` takes away the kinetic energy `m v₀²/2` over the distance `v₀²/(2 μ g)`, in"
     " the time `v₀/(μ g)`. Then the slab stays where it is.",
     why=(
-        "A step moves with the velocity that friction has already reduced, so a step method stops `v₀ dt/2` short."
-        " The tuned engines do so to better than 0.002 % of the way; hand-written code solves for the stop and is"
-        " exact.",
-        "PyBullet, stock, damps every velocity by 4 % a second and more at speed. On its half-space it finds one"
-        " contact point of a box in each step, and as these change they push the slab aside, by up to 0.9 mm at 1 ms"
-        " and 6 mm at 4 ms. Tuned, its ground is a large box, on which it finds all four corners at once.",
-        "MuJoCo's stock friction cone is a pyramid: right along an axis, weaker at 30°, where it pulls sideways."
-        " Even its elliptic cone lifts a sliding slab, because a convex contact law pays for slip with separation;"
-        " tuned, friction is left to the noslip passes.",
-        "DART's default solver has a pyramid that brakes each axis by itself, so the way at 30° is 21 % short;"
-        " tuned, it has a cone. Stock, a box has one contact point on its half-space and rocks on it without end.",
+        "A step moves with the velocity that friction has already reduced, so a step method stops `v₀ dt/2` short. The"
+        " tuned engines do so too; hand-written code solves for the stop and is exact.",
+        f"{facts.PYBULLET_TAKES_CORNERS_IN_TURN} As these change, they push the slab aside. Tuned, its ground is a"
+        " large box, on which it finds all four corners at once.",
+        f"{facts.MUJOCO_LIFTS} That is so with the elliptic cone as well. Tuned, friction is left to the noslip"
+        " passes, which lift nothing.",
+        "MuJoCo and DART have a pyramid for a cone as installed, and a circle when they are tuned;"
+        " `slab-at-30-degrees` shows the difference.",
     ),
     cases=(
         *(_sliding(friction, speed) for friction in (0.1, 0.2, 0.4, 0.7) for speed in (1.0, 2.0, 5.0)),
@@ -264,13 +262,8 @@ INCLINE = Family(
     " if `tan θ ≤ μ`. Otherwise it slides with `g (sin θ − μ cos θ)`.",
     why=(
         "All, exact or tuned, decide every case as `tan θ ≤ μ` does. They differ in how still a held slab is:"
-        " hand-written code sets its velocity to zero, PyBullet and DART leave less than a micrometre, and in"
-        " MuJoCo the slab creeps in proportion to the timestep. There the noslip passes compute the friction, and the"
-        " main solver does not know of it, so the slab stands on four corners and on two in turns.",
-        "Stock MuJoCo creeps for another reason: its friction is a soft constraint, and yields a little under any"
-        " pull. This shows on every slope except the gentlest, and counts as sliding here. Stock PyBullet's"
-        " damping slows every slide by up to a quarter. Stock DART rocks on its one contact, and some slabs that"
-        " should hold walk off that way.",
+        " hand-written code sets its velocity to zero, and PyBullet and DART leave less than a micrometre."
+        f" {facts.MUJOCO_ROCKS}",
     ),
     cases=tuple(
         _incline(friction, degrees)

@@ -88,9 +88,8 @@ HANGING_CHAIN = Family(
     why=(
         "The hand-written function `static_shape` finds the shape without any motion, and `mesh_step` steps until the"
         " chain has settled into it. At the start of each step the lab tells the engines with which force springs and"
-        " fluid act on each body. All engines then step by semi-implicit Euler. They follow its recurrence to 10⁻¹⁴ m,"
-        " also on the way to rest, where theory has no figure.",
-        "Stock PyBullet damps every velocity by 4 % a second, which is little compared with the fluid.",
+        " fluid act on each body. All engines then step by semi-implicit Euler. They follow its recurrence to"
+        " rounding, also on the way to rest, where theory has no figure.",
     ),
     cases=(_hung(0.2), _hung(0.3), _hung(0.3, 60.0)),
     quantities=(

@@ -12,6 +12,7 @@ from reference.catalogue import crowd
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios.walkers import INTERVAL, MAX_SPEED, WEIGHTLESS, clearance, contacts, walker
+from reference.engines import facts
 from reference.engines.base import Method
 from reference.engines.implementation import Implementation
 from reference.prediction import steered
@@ -137,13 +138,13 @@ LONE_FLIER = Family(
     " gap is the margin. The field has no lateral part for a flier that meets it head-on. That flier therefore waits"
     " in front of the pillar for ever, where `F₀(1 − s/R)²` balances the pull `m v/τ`.",
     why=(
-        "The four implementations agree with the recurrence to 10⁻¹³ m. The way of the flier that steers is 0.5 mm"
+        "The four implementations agree with the recurrence to rounding. The way of the flier that steers is 0.5 mm"
         " longer than the shortest one: it decides every 50 ms only, and so it flies a polygon around the sphere"
         " instead of an arc. Each side of the polygon touches the sphere, so that the least gap is the margin.",
         "The flier that is repelled first comes as near as 0.22 m, bounces back, and then waits at 0.37 m. No engine"
         " is at fault here, and a smaller timestep does not help: the field offers no way around the pillar.",
-        "Stock PyBullet damps every velocity. The flier that steers is slower there by 5 mm/s, and has 37 mm more to"
-        " fly at the end. The flier that waits is where it should be, because at rest nothing is damped.",
+        f"{facts.PYBULLET_DAMPS} The flier that steers is slower there, and has farther to fly at the end. The flier"
+        " that waits is where it should be, because at rest nothing is damped.",
     ),
     cases=(_steers(), _repelled()),
     quantities=(

@@ -12,6 +12,7 @@ from reference.catalogue import orbits
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
+from reference.engines import facts
 from reference.engines.base import BULLET_DAMPED, EXPLICIT, RUNGE_KUTTA, VERLET, Method
 from reference.prediction import loaded
 from reference.scene.forces import Attraction
@@ -101,7 +102,7 @@ _WHY = {
     EXPLICIT: "explicit Euler adds energy in every step",
     VERLET: "velocity Verlet is of second order",
     RUNGE_KUTTA: "the Runge–Kutta method loses energy, though little",
-    BULLET_DAMPED: "Bullet's default damping brakes each body by 0.04 (1 + v) v per second",
+    BULLET_DAMPED: facts.PYBULLET_DAMPED,
 }
 
 ORBIT = Family(
@@ -128,8 +129,7 @@ ORBIT = Family(
         " theory, but it never regains the energy that it loses.",
         "PyBullet, MuJoCo and DART have no attraction between two bodies. The lab tells each of them the force in"
         " every step, and all follow the recurrence of semi-implicit Euler to 12 digits.",
-        "Stock PyBullet brakes each body by 0.04 (1 + v) v per second. The orbit shrinks, and the revolutions become"
-        " shorter.",
+        f"{facts.PYBULLET_DAMPS} The orbit shrinks, and the revolutions become shorter.",
     ),
     cases=(_orbiting(0.2, 3.0), _orbiting(0.5, 3.0), _orbiting(0.5, 1.0)),
     quantities=(

@@ -14,6 +14,7 @@ from reference.catalogue import swings
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
+from reference.engines import facts
 from reference.engines.base import BULLET_DAMPED, DART_JOINT, EXACT, MUJOCO_JOINT, Method
 from reference.prediction import loaded
 from reference.scene.forces import NOWHERE, Spring
@@ -151,7 +152,7 @@ def _quantity(name: str, title: str, unit: str, size: float | None = None, share
 
 _LATE = "semi-implicit Euler takes spring and damper as they were at the start of the step"
 _SHIFTS = {
-    BULLET_DAMPED: "Bullet's default damping brakes the ball by 0.04 (1 + v) v per second as well",
+    BULLET_DAMPED: facts.PYBULLET_DAMPED,
     MUJOCO_JOINT: "MuJoCo takes the damper of a joint as it will be at the end of the step, and its spring as it was",
     DART_JOINT: "DART takes spring and damper of a joint as they will be at the end of the step, which slows the swing",
 }
@@ -194,8 +195,7 @@ OSCILLATOR = Family(
         " takes the damper as it will be at the end of the step, which halves the error at `ζ = 1`. DART takes the"
         " spring so as well. That is backward Euler, which no timestep makes explode; the price is that every step"
         " multiplies an undamped swing by `1/√(1 + ω² dt²)`. At `ω dt = 0.1` a quarter of it is lost in one swing.",
-        "Stock PyBullet also brakes every body by 0.04 (1 + v) v per second, which is hardly noticeable beside the"
-        " strong damper.",
+        f"{facts.PYBULLET_DAMPS} Beside the strong damper this is hardly noticeable.",
     ),
     cases=(*(_swinging(ratio) for ratio in (0.3, 1.0, 2.0)), _swinging(0.3, True)),
     quantities=(

@@ -13,6 +13,7 @@ from reference.catalogue import throws
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
+from reference.engines import facts
 from reference.engines.base import BULLET_DAMPED, EXACT, Method
 from reference.prediction import loaded
 from reference.scene.forces import Force
@@ -88,7 +89,7 @@ def _expect(theory: Theory, size: Callable[[Case], float]) -> Callable[[Case, Se
         large = size(case)
         if method.kind == EXACT:
             return Expectation(exact, ROUNDING * large, "rounding only: the flight is solved", size=large)
-        dt, why = settings.timestep, _DAMPED if method.rule == BULLET_DAMPED else _LATE
+        dt, why = settings.timestep, facts.PYBULLET_DAMPED if method.rule == BULLET_DAMPED else _LATE
         beyond = abs(second) * dt**2 + ROUNDING * large
         return Expectation(exact, SHARE * large, "0.1 %", first * dt, why, beyond, large)
 
@@ -96,7 +97,6 @@ def _expect(theory: Theory, size: Callable[[Case], float]) -> Callable[[Case, Se
 
 
 _LATE = "semi-implicit Euler flies as if it had set out with v − g dt/2"
-_DAMPED = "Bullet's default damping brakes a body by 0.04 (1 + v) v per second"
 
 
 def _quantity(
@@ -124,9 +124,9 @@ PROJECTILE = Family(
         " fallen `g n (n + 1) dt²/2`, which is `g t dt/2` too far. All positions lie on another parabola exactly, the"
         " one of a ball that sets out with `v − g dt/2`. So the apex comes `dt/2` too early and is `v sin θ dt/2` too"
         " low. The range is too short by the share `dt/T` of itself, where T is the time of flight.",
-        "PyBullet, MuJoCo, DART and the hand-written world agree with this to 14 digits. They agree with each other,"
+        "PyBullet, MuJoCo, DART and the hand-written world agree with this to rounding. They agree with each other,"
         " and all of them have the same error: agreement between engines does not show that they are right.",
-        "Stock PyBullet also brakes a body by 0.04 (1 + v) v per second. At 12 m/s its range is up to 41 % too short.",
+        f"{facts.PYBULLET_DAMPS} The range of a fast ball is therefore much too short.",
     ),
     cases=(*(_thrown(SPEED, angle) for angle in (30.0, 45.0, 60.0, 75.0)), _thrown(SPEED, 60.0, True)),
     quantities=(

@@ -8,6 +8,7 @@ from reference import truth
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import TENTHS, Grid, Parameter
+from reference.engines import pybullet_settings
 from reference.engines.base import AT_STEP, EXACT, Method
 from reference.prediction import striking
 from reference.scene.scenario import GRAVITY, Body, Box, Pair, Scenario, Sphere
@@ -187,11 +188,11 @@ STRUCK_ROD = Family(
     " arm the two points separate with `e` of the speed at which they met.",
     why=(
         "The ball meets a flat face, straight on, and there is no weight, so an engine's only error is what its"
-        " contact does to any speed: rounding in PyBullet, 0.003 % in DART and 0.04 % in MuJoCo. At the very end it"
-        " would be otherwise, because PyBullet's boxes are round within 1 mm of their edges: hence the millimetre.",
-        "MuJoCo's spring profile keeps up to 1.5 % too little or too much of the closing speed, since some sixteen"
-        " steps a contact notice its dashpot late. Stock PyBullet is 5 % slow before it strikes and after, and stock"
-        " MuJoCo has no restitution.",
+        " contact does to any speed: rounding in PyBullet, and a small share of the speed in DART and MuJoCo. At the"
+        " very end it would be otherwise, because PyBullet's boxes are round within"
+        f" {1e3 * pybullet_settings.MARGIN:g} mm of their edges: hence the millimetre.",
+        "MuJoCo's spring profile keeps a little too little or too much of the closing speed, since some sixteen steps"
+        " a contact notice its dashpot late.",
     ),
     cases=tuple(_struck(restitution, arm) for restitution in (0.5, 1.0) for arm in ARMS),
     quantities=_quantities(_impulse_on_the_ball, _spin_from_above, _kept_by_the_ball),
@@ -221,8 +222,6 @@ ROD_ON_PEG = Family(
     why=(
         "The impulse of a step carries the weight of that step, and the speed of an impact differs by up to `g"
         " dt/2`: 0.1 to 0.4 % at 1 ms, and nothing else.",
-        "Stock PyBullet takes overlap back as speed: it keeps up to 10 % too much of the closing speed. Stock MuJoCo"
-        " has no restitution.",
     ),
     cases=tuple(_dropped(restitution, arm) for restitution in (0.5, 1.0) for arm in ARMS),
     quantities=_quantities(_impulse_of_the_peg, _spin_from_below, _kept_by_the_peg),

@@ -120,9 +120,6 @@ SLIDING_BALL = Family(
         "The tuned engines find `5/7` to more digits than anyone needs, since a friction impulse changes speed and"
         " spin together. Their way is `v₀ dt/7` short: a step moves with the velocity that friction has already"
         " reduced.",
-        "PyBullet, stock, damps speed and spin, and a rolling ball has nothing to set against it: it loses 7 to 43"
-        " %. MuJoCo, stock, hops by up to 6 mm at 5 m/s, because its convex cone pays for slip with lift; it begins"
-        " to roll late, at the right speed to within 0.1 %.",
     ),
     cases=tuple(_sliding(friction, speed) for friction in (0.1, 0.3, 0.6) for speed in (1.0, 2.0, 5.0)),
     quantities=(
@@ -202,8 +199,6 @@ ROLLING_BALL = Family(
     why=(
         "The tuned engines roll and slip where theory says, even at 20° and μ = 0.1, where `tan θ` is 4 % above `7"
         " μ/2`. The way is `a t dt/2` long, as for every body that sets out from rest in a step method.",
-        "PyBullet, stock, loses 7 to 27 % of the way to its damping, and more of the spin. MuJoCo, stock, rolls and"
-        " slips where it should; its way is 0.1 % long, which is `a t dt/2` at its 2 ms.",
     ),
     cases=tuple(
         _on_slope(friction, degrees) for friction in (0.1, 0.3, 0.6) for degrees in (5.0, 10.0, 20.0, 30.0, 40.0)

@@ -16,6 +16,7 @@ from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios.friction import slab_on_plane
 from reference.catalogue.scenarios.tolerances import ROUNDING, within_a_millimetre
 from reference.checks import Vector
+from reference.engines import facts
 from reference.engines.base import EXACT, MUJOCO_ONE_STEP, Method
 from reference.errors import RunFailed
 from reference.prediction import sliding
@@ -208,8 +209,8 @@ FRICTION_OSCILLATOR = Family(
         "At a turning point the hand-written method `step` stops the slab for a whole step, because friction may not"
         " turn the slab back. The engines end the slip within a step and continue. So the method `step` is about one"
         " step later at the end.",
-        "With stock MuJoCo's soft friction the slab creeps towards the place where the spring is at rest, and never"
-        " stops. In the case at 30° the friction cones of stock MuJoCo and stock DART push the slab off its line.",
+        f"{facts.MUJOCO_CREEPS} Here the slab creeps towards the place where the spring is at rest, and never stops."
+        " In the case at 30° the friction cones of stock MuJoCo and stock DART push the slab off its line.",
     ),
     cases=(
         _case(0.5, 300.0, 0.15),

@@ -13,6 +13,7 @@ from reference.catalogue import measure, swings
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
+from reference.engines import facts
 from reference.engines.base import BULLET_DAMPED, EXACT, Method
 from reference.prediction import loaded
 from reference.scene.forces import NOWHERE, Fluid
@@ -105,7 +106,7 @@ def _quantity(name: str, title: str, unit: str, both: tuple[Read, Theory], size:
             return Expectation(exact, near, "rounding, and what a curve through six samples leaves", size=large)
         why = _LATE
         if method.rule == BULLET_DAMPED:
-            why = _DAMPED
+            why = facts.PYBULLET_DAMPED
         elif method.drag != 1:
             why = _BOX
         return Expectation(exact, SHARE * large, "0.1 %", shift_reason=why, size=large)
@@ -114,7 +115,6 @@ def _quantity(name: str, title: str, unit: str, both: tuple[Read, Theory], size:
 
 
 _LATE = "semi-implicit Euler takes the drag of the start of a step, and moves with the velocity of its end"
-_DAMPED = "Bullet's damping takes d (1 + v) v per second, which is no linear drag"
 _BOX = "the box with the ball's inertia has √(3/5) of its drag"
 
 
@@ -155,8 +155,8 @@ SINKING_BALL = Family(
         " `√(3/5)` of the right one: it sinks 29 % too fast through the fluid.",
         "The inertia box depends on how the mass is spread inside. A ball with other moments of inertia sinks at"
         " another speed, although nothing about its surface has changed.",
-        "PyBullet's own `linearDamping` takes d (1 + v) v per second, and DART has no fluid. Neither has buoyancy. The"
-        " lab tells both of them the force of the fluid in every step.",
+        "PyBullet's own `linearDamping` grows faster than the speed, so it is no drag of Stokes', and DART has no"
+        " fluid. Neither has buoyancy. The lab tells both of them the force of the fluid in every step.",
     ),
     cases=(_sinking(HEAVY), _sinking(LIGHT), _sinking(HEAVY, streams=True)),
     quantities=(

@@ -14,6 +14,7 @@ from reference.catalogue.family import Convergence, Curve, Expectation, Family, 
 from reference.catalogue.grid import Grid, Parameter
 from reference.catalogue.scenarios.friction import slab_on_plane, slack_aside, way_of
 from reference.catalogue.scenarios.tolerances import MILLIMETRE, ROUNDING
+from reference.engines import facts
 from reference.engines.base import CIRCLE, EXACT, Method
 from reference.prediction import sliding
 from reference.scene.scenario import GRAVITY
@@ -114,7 +115,7 @@ SLAB_AT_30_DEGREES = Family(
         "At 45° the slab stays on its line with both cones: it gets 41 % too far with the diamond, and stops 29 % too"
         " early with the square.",
         "All tuned engines have a circle, and the slab stops `v dt/2` too early, as the method predicts. Stock"
-        " PyBullet has a circle too, but it damps every velocity.",
+        f" PyBullet has a circle too. {facts.PYBULLET_DAMPS}",
     ),
     cases=(
         *(_case(0.4, 2.0, degrees) for degrees in (15.0, 30.0, 45.0, 75.0)),

@@ -99,13 +99,11 @@ SPINNING_BALL = Family(
         " pushed by `μ` times the normal impulse, and a step's impulse also carries the weight of the step: `g"
         " dt/((1 + e) v)` too much, 0.15 % at 1 ms.",
         "In MuJoCo the contact point lies half the overlap inside the ball, in DART the whole of it, which shortens"
-        " the lever arm: a gripping ball leaves up to 0.1 % too fast and with 0.2 % too much spin, and less at a"
-        " smaller timestep.",
+        " the lever arm: a gripping ball leaves a little too fast and with too much spin, and less so at a smaller"
+        " timestep.",
         "In MuJoCo's spring profile friction takes slip away as gently as the dashpot takes speed, so that a ball"
-        " which should grip still slips when it lets go, with 26 to 65 % too little speed. A solreffriction of a"
-        " time step would make it right to within 1 %.",
-        "Stock PyBullet's multibody loses up to 54 % of the speed that it should gain. Stock MuJoCo does not"
-        " rebound, so that its friction acts for as long as the ball sinks in.",
+        " which should grip still slips when it lets go, and is much too slow. A `solreffriction` of one timestep"
+        " would make it right to within 1 %.",
     ),
     cases=tuple(
         _spinning(spin, friction, restitution)

@@ -179,7 +179,6 @@ STEP_LIMIT = Family(
         "A damper does not help: at `ζ = 0.25` the limit is at 78 % of the undamped one, and just below the limit the"
         " fastest vibration decays by 0.83 powers of ten, where in truth it decays by four.",
         "The hand-written method `exact` computes each vibration mode of the mesh by its formula, and no mode grows.",
-        "The stock timesteps of MuJoCo, 2 ms, and of PyBullet, 4.2 ms, are above the limit in every case.",
     ),
     cases=(
         *(_vibrating(ratio, kinds) for kinds in (1.0, 2.0, 3.0) for ratio in RATIOS),

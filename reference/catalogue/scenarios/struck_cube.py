@@ -9,6 +9,7 @@ import numpy as np
 from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
+from reference.engines import facts
 from reference.engines.base import EXACT, Method
 from reference.impact_truth import NEWTON, Contact, planar_impact
 from reference.prediction import striking
@@ -104,11 +105,10 @@ STRUCK_CUBE = Family(
         "Each implementation is judged by what its own law predicts. The hand-written code has four laws: as exact,"
         " Newton's with friction against the slip that is left; as methods of their own Newton's with maximal"
         " dissipation, Poisson's and Stronge's.",
-        "PyBullet and DART follow Newton's law. In DART the contact lies inside the bodies by up to the way of a"
-        " step, which leaves up to 0.3 % of the speed as slip where it grips.",
-        "MuJoCo cannot express this. Its noslip passes settle friction after the normal impulse, which stays as"
-        " large as without friction. Off the centre that friction also moves the bodies along the normal, and they"
-        " would part at 0.38 to 0.58 of the speed of approach instead of 0.5.",
+        "PyBullet and DART follow Newton's law. In DART the contact lies inside the bodies by up to the way of a step,"
+        " which leaves a little slip where it grips.",
+        f"{facts.MUJOCO_CANNOT_RUB_OFF_CENTRE} Here the bodies would part at 0.38 to 0.58 of the speed of approach"
+        " instead of 0.5.",
     ),
     cases=tuple(
         _struck(*case) for case in ((0.08, -40.0, 0.3), (0.05, 20.0, 0.3), (0.08, -20.0, 0.1), (0.08, 40.0, 0.1))

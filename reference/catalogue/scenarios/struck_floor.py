@@ -15,6 +15,7 @@ from reference.catalogue import measure
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.checks import Vector
+from reference.engines import facts
 from reference.engines.base import EXACT, Method
 from reference.impact_truth import NEWTON
 from reference.prediction import corners
@@ -223,9 +224,7 @@ OFF_CENTRE_IMPACT = Family(
         " first divides each component of the slip by what a unit impulse along that axis changes of it. The"
         " hand-written function takes the direction of the impulse that would stop the slip. Where the impact stays"
         " in a plane, all three agree.",
-        "MuJoCo cannot express these impacts. Its convex solver adds `μ` times the slip that is left to the speed of"
-        " parting; its noslip passes settle friction after the normal impulse, which off the centre depends on"
-        " friction.",
+        facts.MUJOCO_CANNOT_RUB_OFF_CENTRE,
     ),
     cases=tuple(_strikes(*case) for case in CASES),
     quantities=(

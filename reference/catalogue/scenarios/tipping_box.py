@@ -13,6 +13,7 @@ from reference.catalogue.family import Convergence, Curve, Expectation, Family, 
 from reference.catalogue.scenarios.friction import CREEPS, HOLDS, SLIDES, slack_of_creep
 from reference.catalogue.scenarios.slopes import normal_of
 from reference.catalogue.scenarios.tolerances import DEGREE, MILLIMETRE, ROUNDING, from_rest
+from reference.engines import facts
 from reference.engines.base import EXACT, Method
 from reference.prediction import sliding
 from reference.scene import geometry
@@ -90,14 +91,10 @@ TIPPING_BOX = Family(
     " less friction it slides before it tips; with `tan θ ≤ μ` and `tan θ ≤ b/h` nothing moves.",
     why=(
         "Every tuned engine gets all three outcomes right. A box that slides is `a t dt/2` ahead, as on the incline."
-        " In MuJoCo it is up to 0.4 mm farther ahead, for friction spends a part of its first impulses on turning"
-        " the box, and a cube that holds creeps by 0.4 mm in a second, because it rocks on two corners and four in"
-        " turns.",
+        " In MuJoCo it is a little farther ahead, for friction spends a part of its first impulses on turning the box."
+        f" {facts.MUJOCO_ROCKS}",
         "The hand-written code treats a box as a point and so runs only where the box cannot tip; the rest needs a"
         " rigid-body world.",
-        "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from"
-        " one contact point to the next and slides up to 5 % too far. Stock DART has one contact point there, and"
-        " two of three boxes that should tip slide.",
     ),
     cases=(
         *(_standing_on_slope(0.1, friction, degrees) for friction, degrees in ((0.5, 20.0), (0.5, 35.0), (1.5, 50.0))),

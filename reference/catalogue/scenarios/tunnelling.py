@@ -127,9 +127,6 @@ THIN_WALL = Family(
         "Hand-written code asks `overlap_interval`. Over the whole step, it finds the first instant at which the ball"
         " overlaps the wall, and no ball passes. At the ends of steps alone, it turns a ball back wherever it overlaps"
         " the wall, also behind the middle: on a way of `w + 2 r`, twice as long as an engine's.",
-        "PyBullet, stock, also slows the ball in flight, because its damping grows with the speed squared. MuJoCo,"
-        " stock, notices the ball in time, but its contact is so soft that a fast ball sinks past the middle and is"
-        " pushed out behind the wall; only a stiffer contact helps there.",
     ),
     cases=tuple(_case(speed) for speed in (5.0, 10.0, 20.0)),
     quantities=(

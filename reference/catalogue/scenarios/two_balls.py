@@ -150,15 +150,13 @@ TWO_BALLS = Family(
     " b`. Equal elastic balls swap what they have along it: head-on the striker stops, and off-axis the two"
     " part at a right angle, `v·w = 0`.",
     why=(
-        "Head-on, an engine's only error is that of its contact. Off-axis, a step method sees the impact up to a"
-        " step late: the balls overlap, and their line of centres has turned, for `sin α = b/(1 − d/D)` at a depth"
-        " `d`. The struck ball goes up to 3 mrad too far aside at 1 ms, in PyBullet and in hand-written code at the"
-        " step alike.",
+        "Head-on, an engine's only error is that of its contact. Off-axis, a step method sees the impact up to a step"
+        " late: the balls overlap, and their line of centres has turned, for `sin α = b/(1 − d/D)` at a depth `d`. The"
+        " struck ball goes too far aside, in PyBullet and in hand-written code at the step alike.",
         "A target 10⁶ times as heavy as the striker is no trouble: with two bodies and one contact, a solver has"
         " nothing to iterate.",
-        "In the spring profiles the contact takes 3 ms, in which the balls slide around each other: the struck one"
-        " goes off by 10 mrad more. Stock PyBullet damps the flight and responds ahead of the contact; stock MuJoCo"
-        " has no restitution.",
+        "In the spring profiles the contact takes 3 ms, in which the balls slide around each other, and the struck one"
+        " goes farther aside.",
     ),
     cases=(
         *(_striking(1.0, 1.0, offset) for offset in (0.0, 0.3, 0.5, 0.8)),
@@ -181,7 +179,7 @@ TWO_BALLS = Family(
         (
             Parameter("restitution", "", (0.0, 0.3, 0.5, 0.8, 1.0), 1.0),
             Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0, in_ratio=True),
-            Parameter("offset", "", (0.0, 0.3, 0.5, 0.8), 0.5),
+            Parameter("offset", "", (0.0, 0.5, 0.8), 0.5),
         ),
         (1e-3, 2e-3, 5e-3),
         lambda restitution, mass, offset: _striking(restitution, mass, offset, GRID_STARTS),

@@ -13,6 +13,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.checks import Vector
+from reference.engines import pybullet_settings
 from reference.engines.base import Engine
 from reference.published.answers import Answer, Answers, answer_within
 from reference.published.case import Published
@@ -21,8 +22,6 @@ from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 
 NEAR = 1e-6
 """Distance at which two bodies count as touching, m, and to which an engine finds a distance by iteration."""
-BULLETS_MARGIN = 1e-3
-"""By how much PyBullet's boxes are rounded in its distances, m."""
 MOST = 100
 """Moves at most; where a ball meets a face, a corner or a ball head-on, two are enough."""
 NO_FEATURES = "it is not asked for the distance of a point and a triangle, or of two edges"
@@ -52,12 +51,12 @@ def ball_and_cube(case: Published, engine: Engine) -> Answers:
     passing = ("velocity_in_passing", "cube_velocity_in_passing")
     speed = math.dist(case.numbers("velocity"), case.numbers("cube_velocity"))
     # Bullet makes a box smaller by its margin and rounds it with that: a corner is short by √3 − 1 of the margin
-    short = (math.sqrt(3) - 1) * BULLETS_MARGIN if engine.name == "pybullet" else 0.0
+    short = (math.sqrt(3) - 1) * pybullet_settings.MARGIN if engine.name == "pybullet" else 0.0
     at_corner = answer_within(
         case, "meets_at", meet("position", "velocity", "cube_velocity"), 2 * NEAR / speed, _why(engine)
     )
     if short:
-        reason = "Bullet rounds the corners of a box by its margin of 1 mm, so that the ball meets this one later"
+        reason = "Bullet rounds the corners of a box by its margin, so that the ball meets this one later"
         at_corner = replace(at_corner, shift=short / speed, shift_reason=reason, shift_tolerance=2 * NEAR / speed)
     return {
         "meets_at": at_corner,

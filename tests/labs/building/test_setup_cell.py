@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -12,6 +13,7 @@ import pytest
 
 from labs import notebook
 from labs.building import notebooks
+from labs.project_folders import ROOT
 
 ASKED = "Choose the archive that you were given"
 
@@ -105,9 +107,11 @@ def test_on_colab_the_archive_is_requested_under_any_name(name, run, colab, tmp_
     colab[name] = archive()
     assert run(tmp_path) == str(tmp_path / "collisions-lab")
     assert ASKED in capsys.readouterr().out
-    needed, engines = run.commands
-    assert needed.startswith("pip install --quiet mujoco")
-    assert engines == "pip install --quiet pybullet-arm64 dartpy"  # what has no package must not stop the others
+    needed, bullet, dart = run.commands  # what has no package must not stop the others
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"]
+    assert f'"{extras["mujoco"][0]}"' in needed
+    assert dart == f'pip install --quiet "{extras["dart"][0]}"'
+    assert bullet == 'pip install --quiet --no-deps --require-hashes -r "{bullet}"'  # IPython puts the path there
 
 
 def test_on_colab_the_archive_may_hold_a_folder_of_any_name(run, colab, tmp_path):

@@ -13,6 +13,7 @@ from program import collisions
 
 from labs.cli import engines
 from reference.engines import distributions, engine_names, load_engine, tried_versions
+from reference.errors import EngineNotInstalled
 from reference.running.isolate import stop_workers
 
 
@@ -25,10 +26,12 @@ def test_the_list_of_engines_names_each_with_its_version():
 
 
 def test_the_list_says_how_to_get_a_missing_engine_and_why_one_is_broken(tmp_path, monkeypatch):
-    (tmp_path / "pybullet.py").write_text("raise ImportError('a library of it is missing')\n")
+    missing = "raise ModuleNotFoundError('no module named pybullet', name='pybullet')\n"
+    (tmp_path / "pybullet.py").write_text(missing)
     (tmp_path / "mujoco.py").write_text("import os\nos._exit(3)\n")
+    (tmp_path / "dartpy.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
-    monkeypatch.setattr(engines, "engine_names", lambda: ("pybullet", "mujoco"))
+    monkeypatch.setattr(engines, "engine_names", lambda: ("pybullet", "mujoco", "dart"))
     stop_workers()  # those that are idle have the old one
     try:
         said = collisions("engines")
@@ -37,7 +40,9 @@ def test_the_list_says_how_to_get_a_missing_engine_and_why_one_is_broken(tmp_pat
     assert said.code == 0
     assert re.search(r"PyBullet +pybullet +– not installed", said.output)
     assert re.search(r"MuJoCo +mujoco +! broken", said.output)
-    assert 'pip install -e ".[pybullet]"' in said.text
+    assert "pip install --force-reinstall --no-deps --require-hashes -r bullet.txt" in said.text
+    assert re.search(r"DART +dart +! broken", said.output)
+    assert "DART is installed but cannot be imported: a library of it is missing" in said.text
     assert "MuJoCo is installed but cannot be imported: its process died (exit code 3)" in said.text
 
 
@@ -55,8 +60,9 @@ def installed(folder, name, version, written):
     kept.mkdir()
     digest = base64.urlsafe_b64encode(hashlib.sha256(written).digest()).rstrip(b"=").decode()
     (kept / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
-    (kept / "RECORD").write_text(f"bullet.cpython-313-x86_64-linux-gnu.so,sha256={digest},{len(written)}\n")
-    (folder / "bullet.cpython-313-x86_64-linux-gnu.so").write_bytes(written)
+    (kept / "top_level.txt").write_text("bullet\n")
+    (kept / "RECORD").write_text(f"bullet.so,sha256={digest},{len(written)}\n")
+    (folder / "bullet.so").write_bytes(written)
 
 
 def test_a_tree_that_is_not_installed_still_knows_its_version(tmp_path, monkeypatch):
@@ -78,7 +84,29 @@ def test_of_two_distributions_that_wrote_the_same_module_the_last_one_counts(las
     found = distributions.installed(("bullet", "bullet-of-another"), "bullet")
     assert found.name == last[-1]
     assert distributions.installed(("bullet",), "bullet").name == "bullet"
-    assert distributions.installed(("no-bullet",), "bullet") is None
+    assert distributions.installed(("no-bullet",), "bullet").name == last[-1], "any other that says it has the module"
+    assert distributions.installed(("no-bullet",), "no_bullet") is None
+    (tmp_path / "bullet.so").unlink()
+    assert not distributions.is_here("bullet"), "uninstalling one has taken the file of both"
+
+
+def test_a_package_without_a_distribution_is_of_unknown_version_and_one_without_a_wheel_has_no_cure(monkeypatch):
+    engine = load_engine("mujoco")
+    monkeypatch.setattr(distributions, "is_here", lambda module: True)
+    monkeypatch.setattr(distributions, "installed", lambda names, module: None)
+    assert engine.version() == "of unknown version"
+    assert "none of the versions" in tried_versions.warning(engine, engine.version())
+    monkeypatch.setattr(distributions, "is_here", lambda module: False)
+    monkeypatch.setattr(distributions, "offered", lambda names, extra: False)
+    with pytest.raises(EngineNotInstalled, match="there is no package of it for this machine"):
+        engine.version()
+    assert engine.versions()["engine_version"] == ""
+
+
+def test_each_distribution_has_its_own_bounds():
+    engine = load_engine("pybullet")
+    assert "3.2.7 is none of the versions" in tried_versions.warning(engine, "3.2.7", "pybullet-arm64")
+    assert tried_versions.warning(engine, "3.2.7", "pybullet") == tried_versions.warning(engine, "3.2.7") == ""
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ import pytest
 from readme_picture import AGAIN, in_the_picture
 
 from reference.catalogue.scenarios import catalogue
+from reference.comparison.curves import Series
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
@@ -65,6 +66,16 @@ def test_what_is_plain_is_told_of_the_slab_that_heads_off_at_an_angle():
         ("Agree with theory within 1 %", [("DART", "−1.0 mm", "2 ms")]),
         ("Miss theory", [("DART as installed", "never stops", "2 ms")]),
     ]
+
+
+def test_where_darts_rocking_slab_is_at_the_end_is_told_of_its_curve():
+    never = result("sliding-slab", "dart", "stock", WRONG, None, **STOP | {"case": "μ=0.4,v=2,heading=30°"})
+    both = result("sliding-slab", "dart", "tuned", FAR, 0.499, **STOP), never
+    (finding,) = findings(sections(both))
+    assert finding.why.endswith("DART brakes each axis by itself.")
+    at_the_end = replace(never, series=Series((0.0, 3.0), (0.0, 0.4)))
+    (finding,) = findings(sections([both[0], at_the_end]))
+    assert "stands 110 mm short" in finding.why  # of v²/(2 μ g) = 509.7 mm
 
 
 def test_numbers_that_differ_alike_are_said_to_be_alike():

@@ -364,4 +364,4 @@ def test_an_engine_that_cannot_be_imported_answers_from_its_recording(name, pack
     assert "it is not run here" in recorded.recording
     assert recorded.rows[0].measured is not None
     assert without.verdict is Verdict.NOT_AVAILABLE
-    assert f'pip install -e ".[{name}]"' in without.note
+    assert "cannot be imported: a library of it is missing" in without.note
