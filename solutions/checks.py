@@ -5,6 +5,8 @@ The message of the error names the argument and the first value that is wrong.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -60,10 +62,20 @@ def finite(name: str, value: ArrayLike) -> Array:
 
 def vector(name: str, value: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse a last axis of another length."""
-    array = real(name, value)
-    if array.shape[-1:] != (3,):
-        raise ValueError(f"{name} must have shape (..., 3), not {array.shape}")
-    return array
+    return components(3)(name, value)
+
+
+def components(count: int) -> Callable[[str, ArrayLike], Array]:
+    """The check that returns arrays (..., count) and refuses other shapes."""
+
+    def checked(name: str, value: ArrayLike) -> Array:
+        array = real(name, value)
+        if array.shape[-1:] != (count,):
+            words = f"{name} must have shape (..., {count})"
+            raise ValueError(f"{words}, not {array.shape}")
+        return array
+
+    return checked
 
 
 def in_space(name: str, value: ArrayLike) -> Array:
@@ -88,6 +100,14 @@ def unit(name: str, vector: ArrayLike) -> Array:
     if np.any(wrong):
         found = length[wrong][0]
         raise ValueError(f"{name} must have length 1, not {found:g}")
+    return array
+
+
+def not_zero(name: str, vector: ArrayLike) -> Array:
+    """Return vectors (..., 3); refuse a vector without a direction."""
+    array = real(name, vector)
+    if np.any(np.linalg.norm(array, axis=-1) == 0):
+        raise ValueError(f"{name} is zero: it has no direction")
     return array
 
 
