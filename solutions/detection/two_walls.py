@@ -58,16 +58,16 @@ def count_impacts(
     y = x + v t. It has hit a wall for each multiple of length that it has
     passed, and every second copy of the strip is a mirror image.
     """
-    x, v, length, dt = map(float, (position, velocity, length, dt))
-    inside = f"position must be from 0 to {length:g}, not {x:g}"
-    require(0 <= x <= length, inside)
+    x, v = float(position), float(velocity)
+    end, step = float(length), float(dt)
+    require(0 <= x <= end, f"position must be from 0 to {end:g}, not {x:g}")
     count = 0
     if v == 0:
         return count, x
-    for _ in range(round(float(duration) / dt)):
-        remaining = dt
+    for _ in range(round(float(duration) / step)):
+        remaining = step
         while True:
-            wall = length if v > 0 else 0.0
+            wall = end if v > 0 else 0.0
             arrives = (wall - x) / v  # s from now
             if arrives > remaining:
                 break

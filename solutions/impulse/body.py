@@ -43,14 +43,20 @@ class Body(NamedTuple):
     inverse_inertia: Array
 
 
+class CheckedBody(Body):
+    """A body that is not checked again, by the functions that others call."""
+
+
 def checked(body: Any) -> Body:
-    """A body, or a tuple in its order, of arrays; refuse impossible values."""
+    """Return a body of arrays; refuse values that no body has."""
+    if isinstance(body, CheckedBody):
+        return body
     v, w, r, inverse_mass, inverse_inertia = body
     inverse_inertia = matrix("inverse_inertia", inverse_inertia)
     diagonal = np.diagonal(inverse_inertia, axis1=-2, axis2=-1)
     largest = np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]
     not_negative("diagonal of inverse_inertia", diagonal + ROUNDING * largest)
-    return Body(
+    return CheckedBody(
         in_space("velocity", v),
         in_space("angular_velocity", w),
         in_space("arm", r),
@@ -72,6 +78,6 @@ Velocities = Annotated[
 def moved(body: Body, impulse: Array) -> tuple[Array, Array]:
     """Changes Δv = J/M and Δω = I⁻¹(r × J) that an impulse (..., 3) makes."""
     _, _, r, inverse_mass, inverse_inertia = body
-    moment = np.cross(r, impulse)
-    turned = (inverse_inertia @ moment[..., None])[..., 0]
-    return inverse_mass[..., None] * impulse, turned
+    dv = inverse_mass[..., None] * impulse
+    dw = (inverse_inertia @ np.cross(r, impulse)[..., None])[..., 0]
+    return dv, dw

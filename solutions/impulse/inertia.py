@@ -26,8 +26,6 @@ NO_INVERSE = 1e-12
 Turned to the world frame and back, an inverse moment of 0 is a rounding of
 this matrix.
 """
-
-
 Lengths = Annotated[Array, vector, not_negative, finite]
 """(..., 3), not negative and finite, one for each axis of a body."""
 Moments = Annotated[Array, vector, not_negative]
@@ -126,8 +124,8 @@ def rotation_matrix(orientation: Quaternion) -> Array:
 
     Notes
     -----
-    For the unit quaternion w + x i + y j + z k, with q = (x, y, z) and [q×] p
-    = q × p:
+    For the unit quaternion w + x i + y j + z k, with q = (x, y, z) and with
+    [q×] for the matrix of the cross product, [q×] p = q × p:
 
         R = 1 + 2 w [q×] + 2 [q×]²
     """
@@ -224,7 +222,9 @@ def mass_and_inertia(
     pseudo-inverse of I⁻¹: inverted about all other axes, 0 about these.
     """
     mass = quotient(1.0, inverse_mass)
-    inertia = np.linalg.pinv(inverse_inertia, rcond=NO_INVERSE, hermitian=True)
+    inertia: Array = np.linalg.pinv(
+        inverse_inertia, rcond=NO_INVERSE, hermitian=True
+    )
     return mass, inertia
 
 

@@ -91,12 +91,11 @@ def edge_edge_normal(
 def _refuse_parallel(edge_a: Array, edge_b: Array, sine: Array) -> None:
     """Refuse edges without a single normal, and name the first two."""
     parallel = sine <= PARALLEL
-    edges = np.broadcast_arrays(edge_a, edge_b, sine[..., None])
-    for a, b in zip(edges[0][parallel], edges[1][parallel], strict=True):
-        raise ValueError(
-            f"edge_a {a.tolist()} and edge_b {b.tolist()} are parallel:"
-            " they have no single normal"
-        )
+    if np.any(parallel):
+        edges, shape = (edge_a, edge_b), (*sine.shape, 3)
+        a, b = (np.broadcast_to(edge, shape)[parallel][0] for edge in edges)
+        pair = f"edge_a {a.tolist()} and edge_b {b.tolist()}"
+        raise ValueError(f"{pair} are parallel: they have no single normal")
 
 
 def _towards_a(normal: Array, centre_a: Array, centre_b: Array) -> Array:
