@@ -62,20 +62,10 @@ def finite(name: str, value: ArrayLike) -> Array:
 
 def vector(name: str, value: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse a last axis of another length."""
-    return components(3)(name, value)
-
-
-def components(count: int) -> Callable[[str, ArrayLike], Array]:
-    """The check that returns arrays (..., count) and refuses other shapes."""
-
-    def checked(name: str, value: ArrayLike) -> Array:
-        array = real(name, value)
-        if array.shape[-1:] != (count,):
-            words = f"{name} must have shape (..., {count})"
-            raise ValueError(f"{words}, not {array.shape}")
-        return array
-
-    return checked
+    array = real(name, value)
+    if array.shape[-1:] != (3,):
+        raise ValueError(f"{name} must have shape (..., 3), not {array.shape}")
+    return array
 
 
 def in_space(name: str, value: ArrayLike) -> Array:
@@ -120,6 +110,31 @@ def of_shape(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise ValueError(
             f"{name} must have the shape {shape}, or one that fits it, not {array.shape}"
         ) from None
+
+
+def with_shape(*form: object) -> Callable[[str, ArrayLike], Array]:
+    """A check that returns arrays of one shape, and refuses others.
+
+    The shape is written as in a docstring, such as `..., 2` or `"n", 3`. A
+    name, such as "n", is any length.
+    """
+    words = ", ".join("..." if part is ... else str(part) for part in form)
+    words += "," * (len(form) == 1)
+    axes = [part for part in form if part is not ...]
+
+    def check(name: str, value: ArrayLike) -> Array:
+        array = real(name, value)
+        last = array.shape[-len(axes) :] if ... in form else array.shape
+        fits = len(last) == len(axes) and all(
+            isinstance(axis, str) or axis == length
+            for axis, length in zip(axes, last, strict=True)
+        )
+        if not fits:
+            shape = array.shape
+            raise ValueError(f"{name} must have shape ({words}), not {shape}")
+        return array
+
+    return check
 
 
 def truth(name: str, value: ArrayLike) -> Booleans:

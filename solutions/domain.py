@@ -18,7 +18,6 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.checks import (
-    components,
     finite,
     in_unit_interval,
     matrix,
@@ -30,6 +29,7 @@ from solutions.checks import (
     unit,
     vector,
     whole,
+    with_shape,
 )
 
 Result = TypeVar("Result")
@@ -57,7 +57,7 @@ Unit = Annotated[Array, vector, unit]
 """(..., 3), of length 1."""
 Direction = Annotated[Array, vector, not_zero]
 """(..., 3), of any length but zero."""
-Quaternion = Annotated[Array, components(4), unit]
+Quaternion = Annotated[Array, with_shape(..., 4), unit]
 """(..., 4), w, x, y, z, of length 1: an orientation."""
 Matrix = Annotated[Array, matrix]
 """(..., 3, 3), finite."""

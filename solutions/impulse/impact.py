@@ -47,8 +47,10 @@ def apply_impulse(
     r × J. Divided by the mass and multiplied by I⁻¹, these are changes of v
     and ω:
 
-        v_A⁺ = v_A⁻ + J/M_A        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
-        v_B⁺ = v_B⁻ − J/M_B        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
+        v_A⁺ = v_A⁻ + J/M_A
+        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
+        v_B⁺ = v_B⁻ − J/M_B
+        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
 
     The slide has a plus sign for both bodies. This contradicts the slides' own
     pseudo-code, P_B −= J, and Newton's third law: the pair would push itself
@@ -77,9 +79,9 @@ def impulse_magnitude(
     -------
     (...), j, N s
         The function has no guard: for points that separate, j is negative, an
-        impulse that would pull them back. `collide` has a guard. 0 where no
-        impulse stops the points, k = 0, and they go through each other: both
-        bodies are immovable, or they turn about pivots through which the
+        impulse that would pull them back. `collide` has a guard. j is 0 where
+        no impulse stops the points, k = 0, and they go through each other:
+        both bodies are immovable, or they turn about pivots through which the
         normal goes.
 
     Notes
@@ -130,16 +132,19 @@ def inverse_effective_mass(
     Returns
     -------
     (...), k, 1/kg
-        1/M_A + 1/M_B where the normal goes through both centres, r × n = 0. 0
-        where both bodies are immovable.
+        It is 1/M_A + 1/M_B where the normal goes through both centres,
+        r × n = 0, and it is 0 where both bodies are immovable.
 
     Notes
     -----
     A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n). It
-    therefore changes the velocity of A's point of contact by n/M_A +
-    (I_A⁻¹(r_A × n)) × r_A. On B the impulse is −n, and all these changes have
-    a minus sign, which the difference ṗ_A − ṗ_B turns into a plus. Along the
-    normal, with n·n = 1, the sum is
+    therefore changes the velocity of A's point of contact by
+
+        n/M_A + (I_A⁻¹(r_A × n)) × r_A
+
+    On B the impulse is −n, and all these changes have a minus sign, which the
+    difference ṗ_A − ṗ_B turns into a plus. Along the normal, with n·n = 1,
+    the sum is
 
         k = 1/M_A + 1/M_B
             + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)

@@ -31,13 +31,19 @@ def impulse_of_force(force: Vector, time: Finite) -> Array:
     Parameters
     ----------
     force : (..., n, 3), N, n samples
-    time : (..., n), s, in order; may repeat where the force jumps
+    time : (..., n), s, in order
+        It may repeat where the force jumps.
 
     Returns
     -------
     (..., 3), N s
-        0 for a single sample. Exact where the force changes at a steady rate
-        between the samples.
+        It is 0 for a single sample, and exact where the force changes at a
+        steady rate between the samples.
+
+    Raises
+    ------
+    ValueError
+        If the times go backwards, or their number is not that of the samples.
 
     Notes
     -----
@@ -169,7 +175,8 @@ def velocities_from_momenta(
     -----
     The momenta are P = M v and L = I(t) ω. Solved for the velocities:
 
-        v = P/M,    ω = I⁻¹(t) L
+        v = P/M
+        ω = I⁻¹(t) L
 
     The slide's pseudo-code stops at P and L. A program that keeps v and ω
     beside them must recompute both.

@@ -19,13 +19,13 @@ PARALLEL = 1e-9
 
 At this angle rounding leaves seven digits of their normal.
 """
-AlongVector = Annotated[Array, vector, finite, not_zero]
+FiniteDirection = Annotated[Array, vector, finite, not_zero]
 """(..., 3), finite, of any length but zero."""
 
 
 @domain
 def point_plane_normal(
-    plane_normal: AlongVector, centre_a: Vector, centre_b: Vector
+    plane_normal: FiniteDirection, centre_a: Vector, centre_b: Vector
 ) -> Array:
     """Normal of a contact between a corner of a body and a face (slide 17).
 
@@ -53,8 +53,8 @@ def point_plane_normal(
 
 @domain
 def edge_edge_normal(
-    edge_a: AlongVector,
-    edge_b: AlongVector,
+    edge_a: FiniteDirection,
+    edge_b: FiniteDirection,
     centre_a: Vector,
     centre_b: Vector,
 ) -> Array:
@@ -69,8 +69,13 @@ def edge_edge_normal(
     Returns
     -------
     (..., 3), unit, from B to A
-        Along A × B where the line between the centres is perpendicular to A ×
-        B, so that they cannot tell the direction.
+        Along A × B where the line between the centres is perpendicular to
+        A × B, so that they cannot tell the direction.
+
+    Raises
+    ------
+    ValueError
+        If the edges are parallel, sin φ ≤ 1e-9.
 
     Notes
     -----

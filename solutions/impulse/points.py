@@ -105,10 +105,11 @@ def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: Unit) -> Array:
 
     Notes
     -----
-        u_n = n·u    u = ṗ_A − ṗ_B    ṗ = v + ω × r
+        u_n = n·u
+        u = ṗ_A − ṗ_B
+        ṗ = v + ω × r
 
-    The velocities before the impact give u_n⁻. The velocities after the impact
-    give u_n⁺ = n·(v_A⁺ + ω_A⁺ × r_A − v_B⁺ − ω_B⁺ × r_B).
+    The velocities before the impact give u_n⁻, and those after it give u_n⁺.
     """
     v_a, w_a, r_a, *_ = body_a
     v_b, w_b, r_b, *_ = body_b

@@ -52,6 +52,12 @@ def convex_separation(
         If several heights are equal, this is the first of their faces. Where
         they differ by rounding alone, rounding decides.
 
+    Raises
+    ------
+    ValueError
+        If there is no face, a face has no area, or the solid is not convex or
+        is turned inside out, because the slide's test is wrong for it.
+
     Notes
     -----
     The separation is
@@ -111,6 +117,12 @@ def inside_convex(
     (...), bool
         The surface belongs to the solid. Rounding decides about a point on a
         slanted face, unless there is a tolerance.
+
+    Raises
+    ------
+    ValueError
+        If there is no face, a face has no area, or the solid is not convex or
+        is turned inside out, because the slide's test is wrong for it.
 
     Notes
     -----

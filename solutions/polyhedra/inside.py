@@ -56,6 +56,13 @@ def inside_by_parity(
         smaller than any float, takes it inside. So if solids fill space face
         to face, exactly one of them has the point.
 
+    Raises
+    ------
+    ValueError
+        If the surface is open, so that an edge has an odd number of faces. An
+        open surface has no inside, and the answer of a ray would depend on its
+        direction.
+
     Notes
     -----
     The ray goes up, along +z. Far up it is outside, and each time it crosses
@@ -73,12 +80,14 @@ def inside_by_parity(
 
         (b − a)×(p + (ε, ε²) − a) > 0
 
-    The cross product is that of the point itself, plus ε (a_y − b_y), plus ε²
-    (bₓ − aₓ). The largest term that is not zero decides: first the sign of
-    `orient2d`, then that of a_y − b_y, then that of bₓ − aₓ. The ray's line
-    goes through the face if the moved point is on the same side of all three
-    edges. The ray itself does if the face is above its start, as `orient3d`
-    says.
+    To the cross product of the point itself the move adds
+
+        ε (a_y − b_y) + ε² (bₓ − aₓ)
+
+    The largest term that is not zero decides: first the sign of `orient2d`,
+    then that of a_y − b_y, then that of bₓ − aₓ. The ray's line goes through
+    the face if the moved point is on the same side of all three edges. The
+    ray itself does if the face is above its start, as `orient3d` says.
     """
     corners = corners_of(vertices, faces)
     _refuse_open(vertices, faces)

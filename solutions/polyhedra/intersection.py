@@ -29,8 +29,9 @@ def edges_through_faces(
     Parameters
     ----------
     vertices_a : (v, 3), m
-    faces_a : (f, 3), indices of the corners
-    vertices_b, faces_b : the same of B
+    faces_a : (f, 3), indices of the corners of A's faces
+    vertices_b : (v, 3), m
+    faces_b : (f, 3), indices of the corners of B's faces
 
     Returns
     -------
@@ -62,9 +63,10 @@ def polyhedra_intersect(
     Parameters
     ----------
     vertices_a : (v, 3), m
-    faces_a : (f, 3), indices of the corners
-        The surface must be closed.
-    vertices_b, faces_b : the same of B
+    faces_a : (f, 3), indices of the corners of A's faces
+        The surface must be closed, and so must that of B.
+    vertices_b : (v, 3), m
+    faces_b : (f, 3), indices of the corners of B's faces
 
     Returns
     -------
@@ -75,6 +77,11 @@ def polyhedra_intersect(
         look either way, and what a surface encloses twice is outside. Vertices
         of no face do not count. A mesh without faces has nothing in common
         with anything.
+
+    Raises
+    ------
+    ValueError
+        If a surface is open.
 
     Notes
     -----

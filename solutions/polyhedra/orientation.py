@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solutions.arrays import Array, Integers
-from solutions.checks import components, finite
+from solutions.checks import finite, with_shape
 from solutions.domain import Vector, domain
 
-Point2d = Annotated[Array, components(2), finite]
+Point2d = Annotated[Array, with_shape(..., 2), finite]
 """(..., 2), finite."""
 Sign = Integers
 """(...), 1, 0 or −1."""

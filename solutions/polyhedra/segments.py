@@ -86,6 +86,11 @@ def segment_triangle(
         the triangle's plane meets it first where the stretch that they share
         begins.
 
+    Raises
+    ------
+    ValueError
+        If a triangle's area is too small for floats to tell it from zero.
+
     Notes
     -----
     With s₀ and s₁ for the heights of start and end above the plane of the
@@ -94,7 +99,8 @@ def segment_triangle(
     found there makes a triangle with each side of the triangle a, b, c. The
     weights are the shares of these three areas,
 
-        w_a = n·((b − x)×(c − x)) / n·n,    n = (b − a)×(c − a)
+        w_a = n·((b − x)×(c − x)) / n·n
+        n = (b − a)×(c − a)
 
     and so on round the triangle. An area is negative where x is beyond that
     side, so x is on the triangle if no weight is negative. Weights give the

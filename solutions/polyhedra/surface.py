@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import finite, matrix
+from solutions.checks import finite, matrix, with_shape
 from solutions.domain import domain
 
 PAIRS = 1 << 16
@@ -17,15 +17,6 @@ PAIRS = 1 << 16
 
 This bounds the memory, whatever the input.
 """
-
-
-def vertex_array(name: str, value: ArrayLike) -> Array:
-    """Return vertices (v, 3); refuse other shapes, infinity and NaN."""
-    array = finite(name, value)
-    if array.ndim != 2 or array.shape[1] != 3:
-        shape = array.shape
-        raise ValueError(f"{name} must have the shape (v, 3), not {shape}")
-    return array
 
 
 def face_array(name: str, value: ArrayLike) -> Integers:
@@ -40,7 +31,7 @@ def face_array(name: str, value: ArrayLike) -> Integers:
     return array.astype(np.int64, copy=False)
 
 
-Vertices = Annotated[Array, vertex_array]
+Vertices = Annotated[Array, with_shape("v", 3), finite]
 """(v, 3), finite."""
 Faces = Annotated[Integers, face_array]
 """(f, 3), the numbers of each face's corners among the vertices."""
@@ -66,11 +57,17 @@ def face_planes(vertices: Vertices, faces: Faces) -> tuple[Array, Array]:
     offset : (f,), d, m
         For a mesh without faces the shapes are (0, 3) and (0,).
 
+    Raises
+    ------
+    ValueError
+        If a face has no area and hence no plane.
+
     Notes
     -----
     For a face with the corners a, b and c,
 
-        n = (b − a)×(c − a) / ‖(b − a)×(c − a)‖,    d = −n·a
+        n = (b − a)×(c − a) / ‖(b − a)×(c − a)‖
+        d = −n·a
 
     The cross product of two sides is at right angles to both, and so to the
     face. Dividing it by its length makes it a unit normal. The corner a is on

@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import finite, not_negative, positive
+from solutions.checks import finite, not_negative, positive, with_shape
 from solutions.polyhedra.inside import winding_number
 from solutions.polyhedra.surface import (
     corners_of,
     directed_edges,
     face_array,
     same_places,
-    vertex_array,
 )
 from solutions.world.shapes import Shape
 
@@ -102,7 +101,7 @@ def tetrahedra(
         for face in faces
         for side in itertools.pairwise(face[1:])
     ]
-    v = vertex_array("vertices", vertices)
+    v = finite("vertices", with_shape("v", 3)("vertices", vertices))
     f = face_array("faces", triangles)
     corners = corners_of(v, f)
     _refuse_open(v, f)
