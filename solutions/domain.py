@@ -22,12 +22,14 @@ from solutions.checks import (
     in_unit_interval,
     matrix,
     not_negative,
+    not_zero,
     positive,
     real,
     truth,
     unit,
     vector,
     whole,
+    with_shape,
 )
 
 Result = TypeVar("Result")
@@ -53,6 +55,10 @@ Vector = Annotated[Array, vector, finite]
 """(..., 3), finite."""
 Unit = Annotated[Array, vector, unit]
 """(..., 3), of length 1."""
+Direction = Annotated[Array, vector, not_zero]
+"""(..., 3), of any length but zero."""
+Quaternion = Annotated[Array, with_shape(..., 4), unit]
+"""(..., 4), w, x, y, z, of length 1: an orientation."""
 Matrix = Annotated[Array, matrix]
 """(..., 3, 3), finite."""
 Truth = Annotated[Booleans, truth]

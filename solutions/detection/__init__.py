@@ -1,7 +1,13 @@
 """Detecting a collision with a plane (slides 2, 3, 4, 5 and 9).
 
-These functions say where a point is, when it meets a plane, how often a puck
-meets two walls, and what a step may miss.
+- `overlap_interval`: when within a step a ball overlaps a slab (slide 2)
+- `count_impacts`: how often a puck hits two walls (slide 3)
+- `signed_distance`: how far a point is in front of a plane (slide 4)
+- `side_of_plane`: in front of the plane, on it, or behind it (slide 4)
+- `is_colliding`: whether a point is behind the plane (slide 4)
+- `time_of_impact_interpolated`: when, along a straight line (slide 5)
+- `time_of_impact_exact`: when, at a constant acceleration (slide 5)
+- `missing_probability`: the share that a test at each step misses (slide 9)
 """
 
 from solutions.detection.planes import (

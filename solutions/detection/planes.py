@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import finite, not_negative, vector
+from solutions.arrays import Array, Booleans, Integers
+from solutions.domain import (
+    Direction,
+    Finite,
+    NotNegative,
+    Number,
+    Triple,
+    domain,
+)
 
 
-def signed_distance(
-    point: ArrayLike,
-    normal: ArrayLike,
-    offset: ArrayLike,
-) -> Array:
+@domain
+def signed_distance(point: Triple, normal: Direction, offset: Number) -> Array:
     """Signed distance of a point from the plane n·p + d = 0 (slide 4).
 
     The distance is negative behind the plane. The normal points to the front
@@ -30,12 +33,6 @@ def signed_distance(
     -------
     (...), m
 
-    Raises
-    ------
-    ValueError
-        If a normal is zero: a plane without a direction has no sides. If a
-        point or a normal does not have three components.
-
     Notes
     -----
     From the point, go the distance s against the unit normal n/‖n‖. You arrive
@@ -50,17 +47,14 @@ def signed_distance(
     The slide's a x + b y + c z + d is the numerator. It is the distance only
     when ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
     """
-    point, normal = vector("point", point), vector("normal", normal)
-    offset, length = np.asarray(offset, float), np.linalg.norm(normal, axis=-1)
-    if np.any(length == 0):
-        raise ValueError("normal is zero: the plane has no direction")
-    return np.asarray((np.vecdot(normal, point) + offset) / length)
+    length = np.linalg.norm(normal, axis=-1)
+    return (np.vecdot(normal, point) + offset) / length
 
 
+@domain
 def side_of_plane(
-    separation: ArrayLike,
-    tolerance: ArrayLike = 0.0,
-) -> NDArray[np.int64]:
+    separation: Finite, tolerance: NotNegative = 0.0
+) -> Integers:
     """Side of a plane on which a point is (slide 4).
 
     It is 1 in front, 0 on the plane, and −1 behind it, where a point collides.
@@ -77,26 +71,18 @@ def side_of_plane(
     -------
     (...), 1, 0 or −1
 
-    Raises
-    ------
-    ValueError
-        If a separation is not finite (a NaN would be on no side), or a
-        tolerance is negative.
-
     Notes
     -----
     The slide knows two sides, and its strict < puts a point that touches the
     plane among those in front.
     """
-    s = finite("separation", separation)
-    tolerance = not_negative("tolerance", tolerance)
-    return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))
+    in_front = separation > tolerance
+    behind = separation < -tolerance
+    return in_front.astype(np.int64) - behind
 
 
-def is_colliding(
-    separation: ArrayLike,
-    tolerance: ArrayLike = 0.0,
-) -> NDArray[np.bool_]:
+@domain
+def is_colliding(separation: Finite, tolerance: NotNegative = 0.0) -> Booleans:
     """Whether a point is behind the plane by more than a tolerance (slide 4).
 
     Parameters
@@ -108,10 +94,5 @@ def is_colliding(
     Returns
     -------
     (...), bool
-
-    Raises
-    ------
-    ValueError
-        If a separation is not finite, or a tolerance is negative.
     """
-    return np.asarray(side_of_plane(separation, tolerance) < 0)
+    return side_of_plane(separation, tolerance) < 0

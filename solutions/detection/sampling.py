@@ -7,18 +7,19 @@ test at each step misses, and how many substeps miss none.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative
+from solutions.domain import Finite, FiniteNotNegative, NotNegative, domain
+from solutions.vectors import quotient
 
 
+@domain
 def overlap_interval(
-    distance: ArrayLike,
-    normal_velocity: ArrayLike,
-    radius: ArrayLike,
-    thickness: ArrayLike,
-    dt: ArrayLike,
+    distance: Finite,
+    normal_velocity: Finite,
+    radius: NotNegative,
+    thickness: NotNegative,
+    dt: NotNegative,
 ) -> tuple[Array, Array]:
     """When within a step a ball overlaps a slab (slide 2).
 
@@ -32,10 +33,10 @@ def overlap_interval(
     normal_velocity : (...), u, m/s
         Velocity of the ball relative to the slab, along the normal of the
         front face.
-    radius : (...), r, m; 0 for a point
-    thickness : (...), w, m
+    radius : (...), r, m, not negative; 0 for a point
+    thickness : (...), w, m, not negative
         Infinity for the half-space behind a plane, 0 for a sheet.
-    dt : (...), s, length of the step
+    dt : (...), Δt, s, length of the step, not negative
 
     Returns
     -------
@@ -45,12 +46,6 @@ def overlap_interval(
         moves with the slab or along it overlaps for the whole step or not at
         all. A ball that only touches, at the first or the last instant of the
         step, has start = end.
-
-    Raises
-    ------
-    ValueError
-        If distance or normal_velocity is not finite, or radius, thickness or
-        dt is negative.
 
     Notes
     -----
@@ -63,28 +58,23 @@ def overlap_interval(
     A test at the ends of the step sees two instants of this interval, or none
     of it.
     """
-    x = finite("distance", distance)
-    u = finite("normal_velocity", normal_velocity)
-    r = not_negative("radius", radius)
-    w = not_negative("thickness", thickness)
-    dt = not_negative("dt", dt)
-    moves = u != 0
-    at_front = (r - x) / np.where(moves, u, 1.0)
-    at_back = (-(w + r) - x) / np.where(moves, u, 1.0)
+    x, u, r, w = distance, normal_velocity, radius, thickness
     inside = (-(w + r) <= x) & (x <= r)
-    first = np.where(moves, np.minimum(at_front, at_back), 0.0)
-    at_rest = np.where(inside, np.inf, -np.inf)
-    last = np.where(moves, np.maximum(at_front, at_back), at_rest)
-    start, end = np.maximum(first, 0.0), np.minimum(last, dt)
+    # A ball with u = 0 overlaps from −∞ to ∞, or at no time.
+    at_front = quotient(r - x, u, np.where(inside, np.inf, -np.inf))
+    at_back = quotient(-(w + r) - x, u, -np.inf)
+    start = np.maximum(np.minimum(at_front, at_back), 0.0)
+    end = np.minimum(np.maximum(at_front, at_back), dt)
     meets = start <= end
     return np.where(meets, start, np.inf), np.where(meets, end, -np.inf)
 
 
+@domain
 def missing_probability(
-    speed: ArrayLike,
-    thickness: ArrayLike,
-    radius: ArrayLike,
-    dt: ArrayLike,
+    speed: FiniteNotNegative,
+    thickness: NotNegative,
+    radius: NotNegative,
+    dt: FiniteNotNegative,
 ) -> Array:
     """Share of the balls that a test at each step misses (slide 9).
 
@@ -92,20 +82,15 @@ def missing_probability(
 
     Parameters
     ----------
-    speed : (...), v, along the normal of the wall, m/s
-    thickness, radius : (...), w and r, m
-    dt : (...), s, between two tests
+    speed : (...), v, along the normal of the wall, m/s, not negative
+    thickness, radius : (...), w and r, m, not negative
+    dt : (...), Δt, s, between two tests, not negative
 
     Returns
     -------
     (...), 0 to 1
         0 for a ball that does not move, because it cannot pass the wall. 1 for
         a moving point against a sheet.
-
-    Raises
-    ------
-    ValueError
-        If an argument is negative, or speed or dt is not finite.
 
     Notes
     -----
@@ -120,10 +105,6 @@ def missing_probability(
     These are the balls whose overlap no test notices. How many of the noticed
     balls an engine then turns back is a different question.
     """
-    speed = finite("speed", not_negative("speed", speed))
-    dt = finite("dt", not_negative("dt", dt))
-    thickness = not_negative("thickness", thickness)
-    radius = not_negative("radius", radius)
-    way, caught = speed * dt, thickness + 2 * radius
-    missed = 1 - caught / np.where(way > 0, way, 1.0)
-    return np.where(way > caught, missed, 0.0)
+    overlap = thickness + 2 * radius
+    way = speed * dt
+    return np.maximum(0.0, 1 - quotient(overlap, way, 1.0))

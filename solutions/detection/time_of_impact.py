@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative
+from solutions.domain import Finite, NotNegative, domain
+from solutions.vectors import quotient
 
 
+@domain
 def time_of_impact_interpolated(
-    separation_0: ArrayLike,
-    separation_1: ArrayLike,
-    t: ArrayLike,
-    dt: ArrayLike,
+    separation_0: Finite, separation_1: Finite, t: Finite, dt: NotNegative
 ) -> Array:
     """Time at which a separation with a steady rate is zero (slide 5).
 
@@ -24,7 +22,7 @@ def time_of_impact_interpolated(
         it, pass 0.
     separation_1 : (...), m, at the end of the step
     t : (...), s, start of the step
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step, not negative
 
     Returns
     -------
@@ -32,11 +30,6 @@ def time_of_impact_interpolated(
         Infinity where the step does not end behind the plane. A point that
         starts on the plane and goes through it has T = t. A point that starts
         behind the plane met it in an earlier step and gets infinity.
-
-    Raises
-    ------
-    ValueError
-        If a separation or t is not finite, or dt is negative.
 
     Notes
     -----
@@ -53,18 +46,14 @@ def time_of_impact_interpolated(
     plane too early: T is early by up to g Δt²/(8 v), where v is the speed at
     which the body arrives.
     """
-    s0 = finite("separation_0", separation_0)
-    s1 = finite("separation_1", separation_1)
-    t, dt = finite("t", t), not_negative("dt", dt)
-    crosses = (s0 >= 0) & (s1 < 0)
-    fraction = s0 / np.where(crosses, s0 - s1, 1.0)
+    crosses = (separation_0 >= 0) & (separation_1 < 0)
+    fraction = quotient(separation_0, separation_0 - separation_1)
     return np.where(crosses, t + dt * fraction, np.inf)
 
 
+@domain
 def time_of_impact_exact(
-    separation: ArrayLike,
-    normal_velocity: ArrayLike,
-    normal_acceleration: ArrayLike,
+    separation: Finite, normal_velocity: Finite, normal_acceleration: Finite
 ) -> Array:
     """Time until a separation next falls through zero (slide 5).
 
@@ -87,11 +76,6 @@ def time_of_impact_exact(
         on. A body that turns round exactly on the plane touches it; within
         rounding of this case, rounding decides.
 
-    Raises
-    ------
-    ValueError
-        If an argument is not finite.
-
     Notes
     -----
     At each root of s + u t + a t²/2 = 0 the velocity u + a t is +√(u² − 2 a s)
@@ -113,15 +97,13 @@ def time_of_impact_exact(
 
     In both forms no two nearly equal numbers are subtracted outside the root.
     """
-    s = np.maximum(finite("separation", separation), 0.0)
-    u = finite("normal_velocity", normal_velocity)
-    a = finite("normal_acceleration", normal_acceleration)
+    s = np.maximum(separation, 0.0)
+    u, a = normal_velocity, normal_acceleration
     # Below zero where the body turns round before it reaches the plane
     squared = u * u - 2 * a * s
     root = np.sqrt(np.maximum(squared, 0.0))
     rising = u >= 0
+    numerator = np.where(rising, u + root, 2 * s)
     denominator = np.where(rising, -a, root - u)
     arrives = (squared >= 0) & (denominator > 0)
-    numerator = np.where(rising, u + root, 2 * s)
-    time = numerator / np.where(arrives, denominator, 1.0)
-    return np.where(arrives, time, np.inf)
+    return quotient(numerator, np.where(arrives, denominator, 0.0), np.inf)

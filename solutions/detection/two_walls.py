@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from solutions.checks import finite, not_negative, positive
+from solutions.domain import (
+    Finite,
+    FiniteNotNegative,
+    FinitePositive,
+    domain,
+    require,
+)
 
 
+@domain
 def count_impacts(
-    position: float,
-    velocity: float,
-    length: float,
-    dt: float,
-    duration: float,
+    position: Finite,
+    velocity: Finite,
+    length: FinitePositive,
+    dt: FinitePositive,
+    duration: FiniteNotNegative,
 ) -> tuple[int, float]:
     """Count the impacts of a puck between two walls, step by step (slide 3).
 
@@ -20,11 +27,11 @@ def count_impacts(
 
     Parameters
     ----------
-    position : x at the start, m, from 0 to length
-    velocity : m/s, positive towards the wall at x = length
-    length : m, from wall to wall
-    dt : s, length of a step
-    duration : s
+    position : float, x at the start, m, from 0 to length
+    velocity : float, v, m/s, positive towards the wall at x = length
+    length : float, m, from wall to wall, positive
+    dt : float, s, length of a step, positive
+    duration : float, s, not negative
         A whole number of steps: as many are made as are nearest to
         duration/dt.
 
@@ -37,12 +44,6 @@ def count_impacts(
         step, also at the end of the last one; where rounding puts it just
         beyond, rounding decides.
     position : float, x at the end, m
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite, length or dt is not positive, duration is
-        negative, or the puck does not start between the walls.
 
     Notes
     -----
@@ -57,20 +58,16 @@ def count_impacts(
     y = x + v t. It has hit a wall for each multiple of length that it has
     passed, and every second copy of the strip is a mirror image.
     """
-    x = float(finite("position", position))
-    v = float(finite("velocity", velocity))
-    length = float(finite("length", positive("length", length)))
-    dt = float(finite("dt", positive("dt", dt)))
-    duration = float(finite("duration", not_negative("duration", duration)))
-    if not 0 <= x <= length:
-        raise ValueError(f"position must be from 0 to {length:g}, not {x:g}")
+    x, v = float(position), float(velocity)
+    end, step = float(length), float(dt)
+    require(0 <= x <= end, f"position must be from 0 to {end:g}, not {x:g}")
     count = 0
     if v == 0:
         return count, x
-    for _ in range(round(duration / dt)):
-        remaining = dt
+    for _ in range(round(float(duration) / step)):
+        remaining = step
         while True:
-            wall = length if v > 0 else 0.0
+            wall = end if v > 0 else 0.0
             arrives = (wall - x) / v  # s from now
             if arrives > remaining:
                 break

@@ -6,18 +6,16 @@ A wrong sign on B shows in one of three numbers.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, vector
-from solutions.impulse.body import AnyBody, Arrays, checked
+from solutions.domain import domain
+from solutions.impulse.body import AnyBody, Body, Velocities
 from solutions.impulse.inertia import mass_and_inertia
 
 
+@domain
 def audit(
-    body_a: AnyBody,
-    body_b: AnyBody,
-    after: tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike],
+    body_a: AnyBody, body_b: AnyBody, after: Velocities
 ) -> tuple[Array, Array, Array]:
     """Momentum, angular momentum and energy that two bodies gain (slide 21).
 
@@ -51,12 +49,6 @@ def audit(
         Kinetic energy of both bodies together, negative where the impact takes
         some.
 
-    Raises
-    ------
-    ValueError
-        As inverse_effective_mass, or if a velocity after the impact is not
-        finite or does not have three components.
-
     Notes
     -----
     One body has the momentum P = M v and the energy (M v·v + ω·I ω)/2. Its
@@ -80,21 +72,20 @@ def audit(
     the spin. Where both bodies can move, a correct impact gives ΔE =
     −`energy_lost`.
     """
-    v_a, w_a, v_b, w_b = (
-        finite("after", vector("after", velocity)) for velocity in after
-    )
-    momentum_a, angular_a, energy_a = _gained(checked(body_a), v_a, w_a)
-    momentum_b, angular_b, energy_b = _gained(checked(body_b), v_b, w_b)
+    v_a, w_a, v_b, w_b = after
+    momentum_a, angular_a, energy_a = _gained(body_a, v_a, w_a)
+    momentum_b, angular_b, energy_b = _gained(body_b, v_b, w_b)
     return momentum_a + momentum_b, angular_a + angular_b, energy_a + energy_b
 
 
 def _gained(
-    body: Arrays, velocity: Array, spin: Array
+    body: Body, velocity: Array, spin: Array
 ) -> tuple[Array, Array, Array]:
     """ΔP, ΔL about the contact, and ΔE of one body with these velocities."""
     v, w, r, inverse_mass, inverse_inertia = body
     mass, inertia = mass_and_inertia(inverse_mass, inverse_inertia)
     momentum = mass[..., None] * (velocity - v)
     own = (inertia @ (spin - w)[..., None])[..., 0]
+    angular_momentum = own - np.cross(r, momentum)
     energy = (np.vecdot(momentum, velocity + v) + np.vecdot(own, spin + w)) / 2
-    return momentum, own - np.cross(r, momentum), np.asarray(energy)
+    return momentum, angular_momentum, energy

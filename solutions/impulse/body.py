@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, matrix, not_negative, vector
+from solutions.checks import finite, in_space, matrix, not_negative
 
 ROUNDING = 1e-12
 """How far the diagonal of an inverse inertia may be below zero.
@@ -37,45 +36,48 @@ class Body(NamedTuple):
         In the world frame, symmetric; 0 for a body that cannot be turned.
     """
 
-    velocity: ArrayLike
-    angular_velocity: ArrayLike
-    arm: ArrayLike
-    inverse_mass: ArrayLike
-    inverse_inertia: ArrayLike
+    velocity: Array
+    angular_velocity: Array
+    arm: Array
+    inverse_mass: Array
+    inverse_inertia: Array
 
 
-AnyBody = tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike, ArrayLike]
-"""A `Body`, or a plain tuple in its order."""
-Arrays = tuple[Array, Array, Array, Array, Array]
+class CheckedBody(Body):
+    """A body that is not checked again, by the functions that others call."""
 
 
-def checked(body: AnyBody) -> Arrays:
-    """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse impossible values."""
-    body = Body(*body)
-    inverse_inertia = matrix("inverse_inertia", body.inverse_inertia)
-    least = (
-        ROUNDING * np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]
-    )
-    not_negative(
-        "diagonal of inverse_inertia",
-        np.diagonal(inverse_inertia, axis1=-2, axis2=-1) + least,
-    )
-    return (
-        finite("velocity", vector("velocity", body.velocity)),
-        finite(
-            "angular_velocity",
-            vector("angular_velocity", body.angular_velocity),
-        ),
-        finite("arm", vector("arm", body.arm)),
-        finite(
-            "inverse_mass", not_negative("inverse_mass", body.inverse_mass)
-        ),
+def checked(body: Any) -> Body:
+    """Return a body of arrays; refuse values that no body has."""
+    if isinstance(body, CheckedBody):
+        return body
+    v, w, r, inverse_mass, inverse_inertia = body
+    inverse_inertia = matrix("inverse_inertia", inverse_inertia)
+    diagonal = np.diagonal(inverse_inertia, axis1=-2, axis2=-1)
+    largest = np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]
+    not_negative("diagonal of inverse_inertia", diagonal + ROUNDING * largest)
+    return CheckedBody(
+        in_space("velocity", v),
+        in_space("angular_velocity", w),
+        in_space("arm", r),
+        finite("inverse_mass", not_negative("inverse_mass", inverse_mass)),
         inverse_inertia,
     )
 
 
-def moved(body: Arrays, impulse: Array) -> tuple[Array, Array]:
+AnyBody = Annotated[Body, lambda _, body: checked(body)]
+"""A `Body`, or a tuple in its order; its parts may be lists and numbers."""
+
+Velocities = Annotated[
+    tuple[Array, Array, Array, Array],
+    lambda name, four: tuple(in_space(name, each) for each in four),
+]
+"""v_A, ω_A, v_B, ω_B, (..., 3) each, m/s and rad/s, finite."""
+
+
+def moved(body: Body, impulse: Array) -> tuple[Array, Array]:
     """Changes Δv = J/M and Δω = I⁻¹(r × J) that an impulse (..., 3) makes."""
     _, _, r, inverse_mass, inverse_inertia = body
-    turned = inverse_inertia @ np.cross(r, impulse)[..., None]
-    return inverse_mass[..., None] * impulse, turned[..., 0]
+    dv = inverse_mass[..., None] * impulse
+    dw = (inverse_inertia @ np.cross(r, impulse)[..., None])[..., 0]
+    return dv, dw

@@ -7,81 +7,65 @@ does to them.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_unit_interval, unit, vector
-from solutions.impulse.body import AnyBody, Arrays, checked, moved
+from solutions.domain import NotNegative, Share, Unit, Vector, domain
+from solutions.impulse.body import AnyBody, Body, Velocities, moved
 from solutions.impulse.points import (
     COLLIDING,
     classify_contact,
     normal_velocity,
 )
+from solutions.vectors import quotient
 
 NO_LEVER = 1e-15
 """Sine of the angle between arm and normal up to which r × n counts as zero.
 
 Up to this value r × n is rounding.
 """
-Velocities = tuple[Array, Array, Array, Array]
-"""v_A, ω_A, v_B, ω_B, (..., 3) each, m/s and rad/s."""
 
 
-def inverse_effective_mass(
-    body_a: AnyBody,
-    body_b: AnyBody,
-    normal: ArrayLike,
-) -> Array:
-    """Normal velocity that the points gain from a unit impulse (slide 20).
-
-    It is the denominator of the slide's impulse.
+@domain
+def apply_impulse(
+    body_a: AnyBody, body_b: AnyBody, impulse: Vector
+) -> Velocities:
+    """Velocities after an impulse, J on A and −J on B (slide 18).
 
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    normal : (..., 3), unit, from B to A
-        The opposite normal gives the same k.
+    impulse : (..., 3), J, on A, at the point of contact, N s
 
     Returns
     -------
-    (...), k, 1/kg
-        1/M_A + 1/M_B where the normal goes through both centres, r × n = 0. 0
-        where both bodies are immovable.
-
-    Raises
-    ------
-    ValueError
-        If a normal does not have length 1, an inverse mass or the diagonal of
-        an inverse inertia is negative, or something is not finite or does not
-        fit.
+    v_A, ω_A, v_B, ω_B : (..., 3) each, m/s and rad/s
+        An immovable body keeps its velocities.
 
     Notes
     -----
-    A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n). It
-    therefore changes the velocity of A's point of contact by n/M_A +
-    (I_A⁻¹(r_A × n)) × r_A. On B the impulse is −n, and all these changes have
-    a minus sign, which the difference ṗ_A − ṗ_B turns into a plus. Along the
-    normal, with n·n = 1, the sum is
+    An impulse changes the momentum of a body by J and its angular momentum by
+    r × J. Divided by the mass and multiplied by I⁻¹, these are changes of v
+    and ω:
 
-        k = 1/M_A + 1/M_B
-            + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
+        v_A⁺ = v_A⁻ + J/M_A
+        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
+        v_B⁺ = v_B⁻ − J/M_B
+        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
 
-    A body that can turn gives way more easily at its rim: the effective mass
-    1/k is never more than the mass of either body.
-
-    k equals n·K n with the matrix K = K_A + K_B of `point_inverse_mass`.
-    Friction needs the whole matrix; this function keeps the terms in the order
-    in which one derives them.
+    The slide has a plus sign for both bodies. This contradicts the slides' own
+    pseudo-code, P_B −= J, and Newton's third law: the pair would push itself
+    along.
     """
-    n = unit("normal", vector("normal", normal))
-    return _softness(checked(body_a), n) + _softness(checked(body_b), n)
+    v_a, w_a, *_ = body_a
+    v_b, w_b, *_ = body_b
+    dv_a, dw_a = moved(body_a, impulse)
+    dv_b, dw_b = moved(body_b, impulse)
+    return v_a + dv_a, w_a + dw_a, v_b - dv_b, w_b - dw_b
 
 
+@domain
 def impulse_magnitude(
-    body_a: AnyBody,
-    body_b: AnyBody,
-    normal: ArrayLike,
-    restitution: ArrayLike,
+    body_a: AnyBody, body_b: AnyBody, normal: Unit, restitution: Share
 ) -> Array:
     """Size of the impulse after which the points part at −e u_n⁻ (slide 20).
 
@@ -95,15 +79,10 @@ def impulse_magnitude(
     -------
     (...), j, N s
         The function has no guard: for points that separate, j is negative, an
-        impulse that would pull them back. `collide` has a guard. 0 where no
-        impulse stops the points, k = 0, and they go through each other: both
-        bodies are immovable, or they turn about pivots through which the
+        impulse that would pull them back. `collide` has a guard. j is 0 where
+        no impulse stops the points, k = 0, and they go through each other:
+        both bodies are immovable, or they turn about pivots through which the
         normal goes.
-
-    Raises
-    ------
-    ValueError
-        If e is not from 0 to 1, or as inverse_effective_mass.
 
     Notes
     -----
@@ -125,65 +104,82 @@ def impulse_magnitude(
 
     Written out, the result is
 
-        j = −(1 + e) u_n⁻ / k k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) +
-        n·((I_B⁻¹(r_B × n)) × r_B)
+        j = −(1 + e) u_n⁻ / k
+
+        k = 1/M_A + 1/M_B
+            + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
     """
-    e, k = (
-        in_unit_interval("restitution", restitution),
-        inverse_effective_mass(body_a, body_b, normal),
-    )
-    wanted = -(1 + e) * normal_velocity(body_a, body_b, normal)
-    return np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0)
+    u_n = normal_velocity(body_a, body_b, normal)
+    k = inverse_effective_mass(body_a, body_b, normal)
+    # Rounding may leave a k that is zero just below it.
+    return quotient(-(1 + restitution) * u_n, np.maximum(k, 0.0))
 
 
-def apply_impulse(
-    body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike
-) -> Velocities:
-    """Velocities after an impulse, J on A and −J on B (slide 18).
+@domain
+def inverse_effective_mass(
+    body_a: AnyBody, body_b: AnyBody, normal: Unit
+) -> Array:
+    """Normal velocity that the points gain from a unit impulse (slide 20).
+
+    It is the denominator of the slide's impulse.
 
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    impulse : (..., 3), J, on A, at the point of contact, N s
+    normal : (..., 3), unit, from B to A
+        The opposite normal gives the same k.
 
     Returns
     -------
-    v_A, ω_A, v_B, ω_B : (..., 3) each, m/s and rad/s
-        An immovable body keeps its velocities.
-
-    Raises
-    ------
-    ValueError
-        As inverse_effective_mass, or if an impulse is not finite.
+    (...), k, 1/kg
+        It is 1/M_A + 1/M_B where the normal goes through both centres,
+        r × n = 0, and it is 0 where both bodies are immovable.
 
     Notes
     -----
-    An impulse changes the momentum of a body by J and its angular momentum by
-    r × J. Divided by the mass and multiplied by I⁻¹, these are changes of v
-    and ω:
+    A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n). It
+    therefore changes the velocity of A's point of contact by
 
-        v_A⁺ = v_A⁻ + J/M_A        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
-        v_B⁺ = v_B⁻ − J/M_B        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
+        n/M_A + (I_A⁻¹(r_A × n)) × r_A
 
-    The slide has a plus sign for both bodies. This contradicts the slides' own
-    pseudo-code, P_B −= J, and Newton's third law: the pair would push itself
-    along.
+    On B the impulse is −n, and all these changes have a minus sign, which the
+    difference ṗ_A − ṗ_B turns into a plus. Along the normal, with n·n = 1,
+    the sum is
+
+        k = 1/M_A + 1/M_B
+            + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
+
+    A body that can turn gives way more easily at its rim: the effective mass
+    1/k is never more than the mass of either body.
+
+    k equals n·K n with the matrix K = K_A + K_B of `point_inverse_mass`.
+    Friction needs the whole matrix; this function keeps the terms in the order
+    in which one derives them.
     """
-    a, b, impulse = (
-        checked(body_a),
-        checked(body_b),
-        finite("impulse", vector("impulse", impulse)),
-    )
-    (dv_a, dw_a), (dv_b, dw_b) = moved(a, impulse), moved(b, impulse)
-    return a[0] + dv_a, a[1] + dw_a, b[0] - dv_b, b[1] - dw_b
+    return _softness(body_a, normal) + _softness(body_b, normal)
 
 
+def _softness(body: Body, normal: Array) -> Array:
+    """One body's part of k: 1/M + n·((I⁻¹(r × n)) × r).
+
+    A lever that is only rounding counts as none. Otherwise it would give a
+    body on a pivot, 1/M = 0, a spin of any size.
+    """
+    r = body.arm
+    dv, dw = moved(body, normal)
+    lever = np.linalg.norm(np.cross(r, normal), axis=-1)
+    turns = lever > NO_LEVER * np.linalg.norm(r, axis=-1)
+    turning = np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0)
+    return np.vecdot(normal, dv) + turning
+
+
+@domain
 def collide(
     body_a: AnyBody,
     body_b: AnyBody,
-    normal: ArrayLike,
-    restitution: ArrayLike,
-    threshold: ArrayLike = 0.0,
+    normal: Unit,
+    restitution: Share,
+    threshold: NotNegative = 0.0,
 ) -> Velocities:
     """Velocities of two bodies after an impact at a point (slides 11 and 21).
 
@@ -194,7 +190,7 @@ def collide(
     body_a, body_b : Body, or a tuple in its order
     normal : (..., 3), unit, from B to A
     restitution : (...), e, 0 to 1
-    threshold : (...), m/s
+    threshold : (...), m/s, not negative
         A pair that closes no faster than this is resting.
 
     Returns
@@ -203,34 +199,22 @@ def collide(
         Unchanged for a pair that rests, grazes or separates, and for a pair
         that no impulse stops, such as two immovable bodies.
 
-    Raises
-    ------
-    ValueError
-        If a threshold is negative, or as impulse_magnitude.
-
     Notes
     -----
     This is the whole of slide 21. Compute the velocities of the two points and
     the velocity along the normal. If the points collide, apply the impulse j n
     to A and −j n to B.
     """
-    colliding = (
-        classify_contact(normal_velocity(body_a, body_b, normal), threshold)
-        == COLLIDING
-    )
-    j = np.where(
-        colliding, impulse_magnitude(body_a, body_b, normal, restitution), 0.0
-    )
-    return apply_impulse(
-        body_a, body_b, j[..., None] * np.asarray(normal, dtype=float)
-    )
+    u_n = normal_velocity(body_a, body_b, normal)
+    colliding = classify_contact(u_n, threshold) == COLLIDING
+    j = impulse_magnitude(body_a, body_b, normal, restitution)
+    j = np.where(colliding, j, 0.0)
+    return apply_impulse(body_a, body_b, j[..., None] * normal)
 
 
+@domain
 def energy_lost(
-    body_a: AnyBody,
-    body_b: AnyBody,
-    normal: ArrayLike,
-    restitution: ArrayLike,
+    body_a: AnyBody, body_b: AnyBody, normal: Unit, restitution: Share
 ) -> Array:
     """Kinetic energy that an impact takes from two bodies.
 
@@ -245,11 +229,6 @@ def energy_lost(
     (...), J
         0 for a pair that does not approach, and for two immovable bodies.
 
-    Raises
-    ------
-    ValueError
-        As impulse_magnitude.
-
     Notes
     -----
     The closing motion has the energy of an effective mass 1/k that moves at
@@ -262,25 +241,7 @@ def energy_lost(
     An immovable body that moves does work besides. Beside such a body, ΔE is
     the loss as seen by an observer who moves along with its point of contact.
     """
-    e, k = (
-        in_unit_interval("restitution", restitution),
-        inverse_effective_mass(body_a, body_b, normal),
-    )
-    closing = np.minimum(normal_velocity(body_a, body_b, normal), 0.0)
-    return np.where(
-        k > 0, (1 - e**2) * closing**2 / np.where(k > 0, 2 * k, 1.0), 0.0
-    )
-
-
-def _softness(body: Arrays, normal: Array) -> Array:
-    """One body's part of k: 1/M + n·((I⁻¹(r × n)) × r).
-
-    A lever that is only rounding counts as none. Otherwise it would give a
-    body on a pivot, 1/M = 0, a spin of any size.
-    """
-    r = body[2]
-    dv, dw = moved(body, normal)
-    lever = np.linalg.norm(np.cross(r, normal), axis=-1)
-    turns = lever > NO_LEVER * np.linalg.norm(r, axis=-1)
-    turning = np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0)
-    return np.asarray(np.vecdot(normal, dv) + turning)
+    u_n = normal_velocity(body_a, body_b, normal)
+    closing = np.minimum(u_n, 0.0)
+    k = inverse_effective_mass(body_a, body_b, normal)
+    return quotient((1 - restitution**2) * closing**2, np.maximum(2 * k, 0.0))

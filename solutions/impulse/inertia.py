@@ -5,18 +5,20 @@ They say how hard a body is to turn.
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    matrix,
-    not_negative,
-    positive,
-    unit,
-    vector,
+from solutions.checks import finite, not_negative, vector
+from solutions.domain import (
+    FiniteNotNegative,
+    Matrix,
+    Positive,
+    Quaternion,
+    domain,
 )
+from solutions.vectors import direction, quotient
 
 NO_INVERSE = 1e-12
 """Share of the largest inverse moment up to which another one counts as 0.
@@ -24,9 +26,14 @@ NO_INVERSE = 1e-12
 Turned to the world frame and back, an inverse moment of 0 is a rounding of
 this matrix.
 """
+Lengths = Annotated[Array, vector, not_negative, finite]
+"""(..., 3), not negative and finite, one for each axis of a body."""
+Moments = Annotated[Array, vector, not_negative]
+"""(..., 3), not negative, about the axes of a body; infinite for no turn."""
 
 
-def sphere_inertia(mass: ArrayLike, radius: ArrayLike) -> Array:
+@domain
+def sphere_inertia(mass: Positive, radius: FiniteNotNegative) -> Array:
     """Moments of inertia of a solid ball about its centre.
 
     Parameters
@@ -40,22 +47,18 @@ def sphere_inertia(mass: ArrayLike, radius: ArrayLike) -> Array:
     (..., 3), kg m², about x, y and z of the body
         All infinite for an immovable ball, also for an immovable point.
 
-    Raises
-    ------
-    ValueError
-        If the mass is not positive, or the radius is negative or not finite.
-
     Notes
     -----
     A ball is the same about every axis through its centre:
 
         I = 2/5 m r²
     """
-    squared = finite("radius", not_negative("radius", radius)) ** 2
-    return _moments(mass, 2 / 5 * squared[..., None] * np.ones(3))
+    per_mass = 2 / 5 * radius[..., None] ** 2 * np.ones(3)
+    return _moments(mass, per_mass)
 
 
-def box_inertia(mass: ArrayLike, size: ArrayLike) -> Array:
+@domain
+def box_inertia(mass: Positive, size: Lengths) -> Array:
     """Moments of inertia of a solid box about its centre.
 
     Parameters
@@ -69,12 +72,6 @@ def box_inertia(mass: ArrayLike, size: ArrayLike) -> Array:
     (..., 3), kg m², about x, y and z of the body
         All infinite for an immovable box.
 
-    Raises
-    ------
-    ValueError
-        If the mass is not positive, or a size is negative, is not finite or
-        does not have three components.
-
     Notes
     -----
     About the axis along a, only the other two edges count, and likewise about
@@ -82,13 +79,12 @@ def box_inertia(mass: ArrayLike, size: ArrayLike) -> Array:
 
         I_a = m (b² + c²)/12
     """
-    squared = finite("size", not_negative("size", vector("size", size))) ** 2
-    return _moments(
-        mass, (squared[..., [1, 0, 0]] + squared[..., [2, 2, 1]]) / 12
-    )
+    second, third = size[..., [1, 0, 0]], size[..., [2, 2, 1]]
+    return _moments(mass, (second**2 + third**2) / 12)
 
 
-def rod_inertia(mass: ArrayLike, length: ArrayLike) -> Array:
+@domain
+def rod_inertia(mass: Positive, length: FiniteNotNegative) -> Array:
     """Moments of inertia of a thin rod along z of the body, about its centre.
 
     Parameters
@@ -102,22 +98,18 @@ def rod_inertia(mass: ArrayLike, length: ArrayLike) -> Array:
         0 about z, the rod itself. All infinite for an immovable rod, also
         about z.
 
-    Raises
-    ------
-    ValueError
-        If the mass is not positive, or the length is negative or not finite.
-
     Notes
     -----
     About x and y, with no thickness:
 
         I = m L²/12
     """
-    squared = finite("length", not_negative("length", length)) ** 2
-    return _moments(mass, squared[..., None] * np.array([1.0, 1.0, 0.0]) / 12)
+    per_mass = length[..., None] ** 2 * np.array([1.0, 1.0, 0.0]) / 12
+    return _moments(mass, per_mass)
 
 
-def rotation_matrix(orientation: ArrayLike) -> Array:
+@domain
+def rotation_matrix(orientation: Quaternion) -> Array:
     """Matrix R that turns vectors of the body into the world (slide 18).
 
     Parameters
@@ -130,34 +122,23 @@ def rotation_matrix(orientation: ArrayLike) -> Array:
     (..., 3, 3)
         Its columns are the body's axes as seen in the world.
 
-    Raises
-    ------
-    ValueError
-        If a quaternion does not have four components or does not have length
-        1.
-
     Notes
     -----
-    For the unit quaternion w + x i + y j + z k, with q = (x, y, z) and [q×] p
-    = q × p:
+    For the unit quaternion w + x i + y j + z k, with q = (x, y, z) and with
+    [q×] for the matrix of the cross product, [q×] p = q × p:
 
         R = 1 + 2 w [q×] + 2 [q×]²
     """
-    q = np.asarray(orientation, dtype=float)
-    if q.shape[-1:] != (4,):
-        raise ValueError(
-            f"orientation must have shape (..., 4), not {q.shape}"
-        )
-    # A quaternion in single precision passes `unit`: correct its length.
-    q = unit("orientation", q) / np.linalg.norm(q, axis=-1, keepdims=True)
-    # The columns are q × each axis.
-    across = np.swapaxes(np.cross(q[..., None, 1:], np.eye(3)), -1, -2)
-    return np.asarray(
-        np.eye(3) + 2 * q[..., :1, None] * across + 2 * across @ across
-    )
+    # Single precision may leave a length that is not quite 1: correct it.
+    q = direction(orientation)
+    w, axis = q[..., :1, None], q[..., None, 1:]
+    # The columns of [q×] are q × each axis.
+    cross = np.swapaxes(np.cross(axis, np.eye(3)), -1, -2)
+    return np.eye(3) + 2 * w * cross + 2 * cross @ cross
 
 
-def world_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
+@domain
+def world_inertia(inertia: Lengths, orientation: Quaternion) -> Array:
     """Inertia of a turned body about its centre, in the world frame.
 
     Parameters
@@ -170,12 +151,6 @@ def world_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
     -------
     (..., 3, 3), kg m²
 
-    Raises
-    ------
-    ValueError
-        If a moment is infinite (an immovable body has no angular momentum that
-        could be computed), or as world_inverse_inertia.
-
     Notes
     -----
     This is the I(t) of L = I ω. Read the product from the right: Rᵀ turns ω
@@ -184,13 +159,11 @@ def world_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
 
         I(t) = R I_body Rᵀ
     """
-    return _turned(
-        finite("inertia", not_negative("inertia", vector("inertia", inertia))),
-        orientation,
-    )
+    return _turned(inertia, orientation)
 
 
-def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
+@domain
+def world_inverse_inertia(inertia: Moments, orientation: Quaternion) -> Array:
     """Inverse inertia of a turned body, in the world frame (slide 18).
 
     Parameters
@@ -207,12 +180,6 @@ def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
         none: all mass lies on that axis, as in a thin rod, and no impulse on
         the body has a lever arm about it.
 
-    Raises
-    ------
-    ValueError
-        If a moment is negative or not a number, or a quaternion does not have
-        four components or does not have length 1.
-
     Notes
     -----
     I_body is constant, and it is diagonal in the body's own axes. Only R
@@ -224,15 +191,12 @@ def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
     I_body⁻¹ divides it by the moments there, and R turns the result back into
     the world.
     """
-    moments = not_negative("inertia", vector("inertia", inertia))
-    return _turned(
-        np.where(moments > 0, 1 / np.where(moments > 0, moments, 1.0), 0.0),
-        orientation,
-    )
+    return _turned(quotient(1.0, inertia), orientation)
 
 
+@domain
 def mass_and_inertia(
-    inverse_mass: ArrayLike, inverse_inertia: ArrayLike
+    inverse_mass: FiniteNotNegative, inverse_inertia: Matrix
 ) -> tuple[Array, Array]:
     """Mass and inertia of what can be moved; 0 for what cannot.
 
@@ -249,12 +213,6 @@ def mass_and_inertia(
     inertia : (..., 3, 3), I, kg m²
         0 about an axis without an inverse inertia, for the same reason.
 
-    Raises
-    ------
-    ValueError
-        If an inverse mass is negative, or something is not finite or does not
-        fit.
-
     Notes
     -----
     An inverse moment is 0 in two cases: nothing turns the body about this
@@ -263,36 +221,26 @@ def mass_and_inertia(
     nor energy. So neither may count in an account of an impact, and I is the
     pseudo-inverse of I⁻¹: inverted about all other axes, 0 about these.
     """
-    per_mass = finite(
-        "inverse_mass", not_negative("inverse_mass", inverse_mass)
+    mass = quotient(1.0, inverse_mass)
+    inertia: Array = np.linalg.pinv(
+        inverse_inertia, rcond=NO_INVERSE, hermitian=True
     )
-    mass = np.where(
-        per_mass > 0, 1 / np.where(per_mass > 0, per_mass, 1.0), 0.0
-    )
-    inertia = np.linalg.pinv(
-        matrix("inverse_inertia", inverse_inertia),
-        rcond=NO_INVERSE,
-        hermitian=True,
-    )
-    return mass, np.asarray(inertia)
+    return mass, inertia
 
 
-def _turned(diagonal: Array, orientation: ArrayLike) -> Array:
+def _turned(diagonal: Array, orientation: Array) -> Array:
     """R diag Rᵀ."""
     to_world = rotation_matrix(orientation)
-    return np.asarray(
-        (to_world * diagonal[..., None, :]) @ np.swapaxes(to_world, -1, -2)
-    )
+    to_body = np.swapaxes(to_world, -1, -2)
+    return (to_world * diagonal[..., None, :]) @ to_body
 
 
-def _moments(mass: ArrayLike, per_mass: Array) -> Array:
+def _moments(mass: Array, per_mass: Array) -> Array:
     """Moments of a body.
 
     Of an immovable body all of them are infinite, also those of a point and of
     a rod about itself.
     """
-    mass = positive("mass", mass)[..., None]
-    immovable = np.isinf(mass)
-    return np.where(
-        immovable, np.inf, np.where(immovable, 0.0, mass) * per_mass
-    )
+    immovable = np.isinf(mass)[..., None]
+    finite_mass = np.where(immovable, 0.0, mass[..., None])
+    return np.where(immovable, np.inf, finite_mass * per_mass)

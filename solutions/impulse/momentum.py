@@ -7,38 +7,43 @@ momentum L.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    matrix,
-    not_negative,
-    positive,
-    unit,
-    vector,
+from solutions.checks import not_negative
+from solutions.domain import (
+    Finite,
+    FiniteNotNegative,
+    Matrix,
+    Number,
+    Positive,
+    Triple,
+    Unit,
+    Vector,
+    domain,
+    require,
 )
 
 
-def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
+@domain
+def impulse_of_force(force: Vector, time: Finite) -> Array:
     """Impulse J = ∫F dt of a force that was sampled (slide 13).
 
     Parameters
     ----------
     force : (..., n, 3), N, n samples
-    time : (..., n), s, in order; may repeat where the force jumps
+    time : (..., n), s, in order
+        It may repeat where the force jumps.
 
     Returns
     -------
     (..., 3), N s
-        0 for a single sample. Exact where the force changes at a steady rate
-        between the samples.
+        It is 0 for a single sample, and exact where the force changes at a
+        steady rate between the samples.
 
     Raises
     ------
     ValueError
-        If the times go backwards, their number is not that of the samples, or
-        something is not finite.
+        If the times go backwards, or their number is not that of the samples.
 
     Notes
     -----
@@ -49,24 +54,18 @@ def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
     The slides call J a force applied over a short time, but J is not a force.
     A harder ball has the same J, a shorter Δt and a larger F.
     """
-    force, time = finite("force", vector("force", force)), finite("time", time)
-    if force.ndim < 2 or time.shape[-1:] != force.shape[-2:-1]:
-        raise ValueError(
-            "time must have a value for each of the samples of force"
-            f" {force.shape}, not {time.shape}"
-        )
+    fits = force.ndim > 1 and time.shape[-1:] == force.shape[-2:-1]
+    require(fits, "time must have a value for each of the samples of force")
     steps = not_negative("steps of time", np.diff(time))
-    return np.asarray(
-        ((force[..., 1:, :] + force[..., :-1, :]) / 2 * steps[..., None]).sum(
-            axis=-2
-        )
-    )
+    means = (force[..., 1:, :] + force[..., :-1, :]) / 2
+    return np.sum(means * steps[..., None], axis=-2)
 
 
+@domain
 def mean_force(
-    momentum_change: ArrayLike,
-    duration: ArrayLike,
-    other_force: ArrayLike = (0.0, 0.0, 0.0),
+    momentum_change: Triple,
+    duration: Positive,
+    other_force: Triple = (0.0, 0.0, 0.0),
 ) -> Array:
     """Mean force over a contact of known length.
 
@@ -82,12 +81,6 @@ def mean_force(
     -------
     (..., 3), N
 
-    Raises
-    ------
-    ValueError
-        If a duration is not positive, or an argument does not have three
-        components.
-
     Notes
     -----
     ΔP/Δt is the net force, the sum of the contact force and all others. The
@@ -99,18 +92,11 @@ def mean_force(
     weight. In an impact Δt is short, so that ΔP/Δt is large and the weight
     does not matter. This is what slide 20 drops.
     """
-    change, other = (
-        vector("momentum_change", momentum_change),
-        vector("other_force", other_force),
-    )
-    return np.asarray(
-        change / positive("duration", duration)[..., None] - other
-    )
+    return momentum_change / duration[..., None] - other_force
 
 
-def contact_impulses(
-    magnitude: ArrayLike, normal: ArrayLike
-) -> tuple[Array, Array]:
+@domain
+def contact_impulses(magnitude: Number, normal: Unit) -> tuple[Array, Array]:
     """Impulses at a contact: J = j n on A and −J on B (slide 16).
 
     Parameters
@@ -122,11 +108,6 @@ def contact_impulses(
     -------
     on A, on B : (..., 3) each, N s
 
-    Raises
-    ------
-    ValueError
-        If a normal does not have length 1 or does not have three components.
-
     Notes
     -----
     The slide's forces along the normal are those of an impact without
@@ -134,17 +115,13 @@ def contact_impulses(
     conserved. They also act at one point, so that L about any point is
     conserved.
     """
-    impulse = np.asarray(magnitude, dtype=float)[..., None] * unit(
-        "normal", vector("normal", normal)
-    )
-    return np.asarray(impulse), np.asarray(-impulse)
+    impulse = magnitude[..., None] * normal
+    return impulse, -impulse
 
 
+@domain
 def apply_impulse_to_momenta(
-    momentum: ArrayLike,
-    angular_momentum: ArrayLike,
-    arm: ArrayLike,
-    impulse: ArrayLike,
+    momentum: Triple, angular_momentum: Triple, arm: Triple, impulse: Triple
 ) -> tuple[Array, Array]:
     """Momenta of one body after an impulse at the end of its arm (slide 21).
 
@@ -159,11 +136,6 @@ def apply_impulse_to_momenta(
     -------
     momentum, angular_momentum : (..., 3) each, kg m/s and kg m²/s
 
-    Raises
-    ------
-    ValueError
-        If an argument does not have three components.
-
     Notes
     -----
         P += J
@@ -173,21 +145,15 @@ def apply_impulse_to_momenta(
     The step needs no mass and no inertia. These come back in with
     `velocities_from_momenta`, which must follow.
     """
-    impulse = vector("impulse", impulse)
-    momentum, angular_momentum = (
-        vector("momentum", momentum),
-        vector("angular_momentum", angular_momentum),
-    )
-    return np.asarray(momentum + impulse), np.asarray(
-        angular_momentum + np.cross(vector("arm", arm), impulse)
-    )
+    return momentum + impulse, angular_momentum + np.cross(arm, impulse)
 
 
+@domain
 def velocities_from_momenta(
-    momentum: ArrayLike,
-    angular_momentum: ArrayLike,
-    inverse_mass: ArrayLike,
-    inverse_inertia: ArrayLike,
+    momentum: Triple,
+    angular_momentum: Triple,
+    inverse_mass: FiniteNotNegative,
+    inverse_inertia: Matrix,
 ) -> tuple[Array, Array]:
     """Velocities that belong to the momenta of a body (slide 21).
 
@@ -205,29 +171,16 @@ def velocities_from_momenta(
         not spin about itself: its momenta cannot describe such a motion, its
         velocities can.
 
-    Raises
-    ------
-    ValueError
-        If an inverse mass is negative or not finite, or shapes do not fit.
-
     Notes
     -----
     The momenta are P = M v and L = I(t) ω. Solved for the velocities:
 
-        v = P/M,    ω = I⁻¹(t) L
+        v = P/M
+        ω = I⁻¹(t) L
 
     The slide's pseudo-code stops at P and L. A program that keeps v and ω
     beside them must recompute both.
     """
-    momentum, angular_momentum = (
-        vector("momentum", momentum),
-        vector("angular_momentum", angular_momentum),
-    )
-    per_mass = finite(
-        "inverse_mass", not_negative("inverse_mass", inverse_mass)
-    )[..., None]
-    turned = (
-        matrix("inverse_inertia", inverse_inertia)
-        @ angular_momentum[..., None]
-    )
-    return np.asarray(per_mass * momentum), np.asarray(turned[..., 0])
+    velocity = inverse_mass[..., None] * momentum
+    angular_velocity = (inverse_inertia @ angular_momentum[..., None])[..., 0]
+    return velocity, angular_velocity

@@ -5,23 +5,27 @@ It is the normal of a face, or the direction across two edges.
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, vector
+from solutions.checks import finite, not_zero, vector
+from solutions.domain import Vector, domain
+from solutions.vectors import direction
 
 PARALLEL = 1e-9
 """Sine of the angle between two edges up to which they count as parallel.
 
 At this angle rounding leaves seven digits of their normal.
 """
+FiniteDirection = Annotated[Array, vector, finite, not_zero]
+"""(..., 3), finite, of any length but zero."""
 
 
+@domain
 def point_plane_normal(
-    plane_normal: ArrayLike,
-    centre_a: ArrayLike,
-    centre_b: ArrayLike,
+    plane_normal: FiniteDirection, centre_a: Vector, centre_b: Vector
 ) -> Array:
     """Normal of a contact between a corner of a body and a face (slide 17).
 
@@ -39,27 +43,20 @@ def point_plane_normal(
         As given where the line between the centres is parallel to the face, so
         that they cannot tell the direction.
 
-    Raises
-    ------
-    ValueError
-        If a normal is zero, or an argument is not finite or does not have
-        three components.
-
     Notes
     -----
     Either body may have the face. A normal that points from A's centre to B's
     is reversed, so that the result points towards A in both cases.
     """
-    return _towards_a(
-        _direction("plane_normal", plane_normal), centre_a, centre_b
-    )
+    return _towards_a(direction(plane_normal), centre_a, centre_b)
 
 
+@domain
 def edge_edge_normal(
-    edge_a: ArrayLike,
-    edge_b: ArrayLike,
-    centre_a: ArrayLike,
-    centre_b: ArrayLike,
+    edge_a: FiniteDirection,
+    edge_b: FiniteDirection,
+    centre_a: Vector,
+    centre_b: Vector,
 ) -> Array:
     """Normal of two edges in contact, unit length, towards A (slide 17).
 
@@ -72,14 +69,13 @@ def edge_edge_normal(
     Returns
     -------
     (..., 3), unit, from B to A
-        Along A × B where the line between the centres is perpendicular to A ×
-        B, so that they cannot tell the direction.
+        Along A × B where the line between the centres is perpendicular to
+        A × B, so that they cannot tell the direction.
 
     Raises
     ------
     ValueError
-        If the edges are parallel, sin φ ≤ 1e-9, or one is zero; or an argument
-        is not finite or does not have three components.
+        If the edges are parallel, sin φ ≤ 1e-9.
 
     Notes
     -----
@@ -91,35 +87,23 @@ def edge_edge_normal(
     Parallel edges touch along a line, and every direction across them is as
     good as any other. The function refuses them and does not choose one.
     """
-    a, b = _direction("edge_a", edge_a), _direction("edge_b", edge_b)
-    across = np.cross(a, b)
-    sine = np.linalg.norm(across, axis=-1, keepdims=True)
-    parallel = sine[..., 0] <= PARALLEL
+    across = np.cross(direction(edge_a), direction(edge_b))
+    sine = np.linalg.norm(across, axis=-1)
+    _refuse_parallel(edge_a, edge_b, sine)
+    return _towards_a(across / sine[..., None], centre_a, centre_b)
+
+
+def _refuse_parallel(edge_a: Array, edge_b: Array, sine: Array) -> None:
+    """Refuse edges without a single normal, and name the first two."""
+    parallel = sine <= PARALLEL
     if np.any(parallel):
-        first, second = (
-            np.broadcast_to(edge, across.shape)[parallel][0].tolist()
-            for edge in (edge_a, edge_b)
-        )
-        raise ValueError(
-            f"edge_a {first} and edge_b {second} are parallel:"
-            " they have no single normal"
-        )
-    return _towards_a(across / sine, centre_a, centre_b)
+        edges, shape = (edge_a, edge_b), (*sine.shape, 3)
+        a, b = (np.broadcast_to(edge, shape)[parallel][0] for edge in edges)
+        pair = f"edge_a {a.tolist()} and edge_b {b.tolist()}"
+        raise ValueError(f"{pair} are parallel: they have no single normal")
 
 
-def _direction(name: str, value: ArrayLike) -> Array:
-    """The vector over its length."""
-    given = finite(name, vector(name, value))
-    length = np.linalg.norm(given, axis=-1, keepdims=True)
-    if np.any(length == 0):
-        raise ValueError(f"{name} is zero: it has no direction")
-    return np.asarray(given / length)
-
-
-def _towards_a(
-    normal: Array, centre_a: ArrayLike, centre_b: ArrayLike
-) -> Array:
-    b_to_a = finite("centre_a", vector("centre_a", centre_a)) - finite(
-        "centre_b", vector("centre_b", centre_b)
-    )
-    return np.where(np.vecdot(normal, b_to_a)[..., None] < 0, -normal, normal)
+def _towards_a(normal: Array, centre_a: Array, centre_b: Array) -> Array:
+    """The normal, turned round if it points from A's centre to B's."""
+    away = np.vecdot(normal, centre_a - centre_b) < 0
+    return np.where(away[..., None], -normal, normal)

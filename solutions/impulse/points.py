@@ -6,17 +6,17 @@ They say whether two bodies collide, and how they are to rebound.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    in_unit_interval,
-    not_negative,
-    unit,
-    vector,
+from solutions.arrays import Array, Integers
+from solutions.domain import (
+    Finite,
+    NotNegative,
+    Share,
+    Triple,
+    Unit,
+    domain,
 )
-from solutions.impulse.body import AnyBody, checked
+from solutions.impulse.body import AnyBody
 
 COLLIDING, RESTING, SEPARATING = -1, 0, 1
 """Results of `classify_contact`.
@@ -26,10 +26,9 @@ Each is the sign of the normal velocity where that is beyond the threshold, and
 """
 
 
+@domain
 def point_velocity(
-    velocity: ArrayLike,
-    angular_velocity: ArrayLike,
-    arm: ArrayLike,
+    velocity: Triple, angular_velocity: Triple, arm: Triple
 ) -> Array:
     """Velocity of a point that moves with a body (slide 14).
 
@@ -46,11 +45,6 @@ def point_velocity(
         v itself for the centre of mass, and for a point on the axis through
         it.
 
-    Raises
-    ------
-    ValueError
-        If an argument does not have three components.
-
     Notes
     -----
     The point moves with the centre of mass, and it also turns about that
@@ -61,16 +55,12 @@ def point_velocity(
     The slide's p_A(t) = v_A(t) + ω_A(t) × r_A has lost its dot. The quantity
     is a velocity, not a position.
     """
-    v, omega = (
-        vector("velocity", velocity),
-        vector("angular_velocity", angular_velocity),
-    )
-    return np.asarray(v + np.cross(omega, vector("arm", arm)))
+    return velocity + np.cross(angular_velocity, arm)
 
 
+@domain
 def relative_velocity(
-    point_velocity_a: ArrayLike,
-    point_velocity_b: ArrayLike,
+    point_velocity_a: Triple, point_velocity_b: Triple
 ) -> Array:
     """Velocity of A's point of contact as seen from B's (slide 15).
 
@@ -84,11 +74,6 @@ def relative_velocity(
     -------
     (..., 3), u, m/s
 
-    Raises
-    ------
-    ValueError
-        If an argument does not have three components.
-
     Notes
     -----
         u = ṗ_A − ṗ_B
@@ -97,15 +82,11 @@ def relative_velocity(
     order matters: with the normal from B to A, this order makes n·u negative
     when the points approach.
     """
-    return np.asarray(
-        vector("point_velocity_a", point_velocity_a)
-        - vector("point_velocity_b", point_velocity_b)
-    )
+    return point_velocity_a - point_velocity_b
 
 
-def normal_velocity(
-    body_a: AnyBody, body_b: AnyBody, normal: ArrayLike
-) -> Array:
+@domain
+def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: Unit) -> Array:
     """Rate at which two bodies part at their contact (slides 15 and 19).
 
     Each body has a point there, which moves as the body flies and spins (slide
@@ -122,31 +103,23 @@ def normal_velocity(
     (...), u_n, m/s, negative when approaching
         What the points do along the surface does not count.
 
-    Raises
-    ------
-    ValueError
-        If a normal does not have length 1, an inverse mass or the diagonal of
-        an inverse inertia is negative, or something is not finite or does not
-        fit.
-
     Notes
     -----
-        u_n = n·u    u = ṗ_A − ṗ_B    ṗ = v + ω × r
+        u_n = n·u
+        u = ṗ_A − ṗ_B
+        ṗ = v + ω × r
 
-    The velocities before the impact give u_n⁻. The velocities after the impact
-    give u_n⁺ = n·(v_A⁺ + ω_A⁺ × r_A − v_B⁺ − ω_B⁺ × r_B).
+    The velocities before the impact give u_n⁻, and those after it give u_n⁺.
     """
-    v_a, w_a, r_a, *_ = checked(body_a)
-    v_b, w_b, r_b, *_ = checked(body_b)
-    u = relative_velocity(
-        point_velocity(v_a, w_a, r_a), point_velocity(v_b, w_b, r_b)
-    )
-    return np.asarray(np.vecdot(u, unit("normal", vector("normal", normal))))
+    v_a, w_a, r_a, *_ = body_a
+    v_b, w_b, r_b, *_ = body_b
+    point_a = point_velocity(v_a, w_a, r_a)
+    point_b = point_velocity(v_b, w_b, r_b)
+    return np.vecdot(relative_velocity(point_a, point_b), normal)
 
 
-def rebound_velocity(
-    normal_velocity: ArrayLike, restitution: ArrayLike
-) -> Array:
+@domain
+def rebound_velocity(normal_velocity: Finite, restitution: Share) -> Array:
     """Normal velocity that the user wants: u_n⁺ = −e u_n⁻ (slide 12).
 
     Parameters
@@ -160,11 +133,6 @@ def rebound_velocity(
         For points that separate or graze, u_n⁻ ≥ 0, the velocity that they
         have.
 
-    Raises
-    ------
-    ValueError
-        If e is not from 0 to 1, or a velocity is not finite.
-
     Notes
     -----
     The slide's "fraction of the relative velocity the points will have" leaves
@@ -172,17 +140,14 @@ def rebound_velocity(
     body. The rule also holds for the normal component alone: without friction
     the user cannot choose the tangential one.
     """
-    u_n, e = (
-        finite("normal_velocity", normal_velocity),
-        in_unit_interval("restitution", restitution),
-    )
-    return np.where(u_n < 0, -e * u_n, u_n)
+    rebound = -restitution * normal_velocity
+    return np.where(normal_velocity < 0, rebound, normal_velocity)
 
 
+@domain
 def classify_contact(
-    normal_velocity: ArrayLike,
-    threshold: ArrayLike = 0.0,
-) -> NDArray[np.int_]:
+    normal_velocity: Finite, threshold: NotNegative = 0.0
+) -> Integers:
     """Whether two bodies collide, rest or separate (slide 21).
 
     Parameters
@@ -197,12 +162,6 @@ def classify_contact(
         Colliding where u_n < −threshold, resting where |u_n| ≤ threshold, and
         separating where u_n > threshold.
 
-    Raises
-    ------
-    ValueError
-        If a velocity is not finite (a NaN would pass for resting), or a
-        threshold is negative.
-
     Notes
     -----
     The slide tests V_rel > threshold for colliding, then V_rel < −threshold
@@ -210,12 +169,7 @@ def classify_contact(
     should be `>`: as printed, it calls bodies that move away resting, and
     bodies that rest moving away.
     """
-    u_n, threshold = (
-        finite("normal_velocity", normal_velocity),
-        not_negative("threshold", threshold),
-    )
-    return np.where(
-        u_n < -threshold,
-        COLLIDING,
-        np.where(u_n > threshold, SEPARATING, RESTING),
-    )
+    approaching = normal_velocity < -threshold
+    parting = normal_velocity > threshold
+    kind = np.where(parting, SEPARATING, RESTING)
+    return np.where(approaching, COLLIDING, kind)

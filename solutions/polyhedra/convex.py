@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array, Integers
-from solutions.checks import finite, not_negative, vector
+from solutions.arrays import Array, Booleans, Integers
+from solutions.domain import NotNegative, Vector, domain, require
 from solutions.polyhedra.surface import (
+    Faces,
+    Vertices,
     blocks,
-    checked_mesh,
     face_planes,
     size_of,
 )
@@ -23,10 +23,9 @@ digits.
 """
 
 
+@domain
 def convex_separation(
-    point: ArrayLike,
-    vertices: ArrayLike,
-    faces: ArrayLike,
+    point: Vector, vertices: Vertices, faces: Faces
 ) -> tuple[Array, Integers]:
     """How far a point is in front of a convex polyhedron (slide 9).
 
@@ -56,10 +55,8 @@ def convex_separation(
     Raises
     ------
     ValueError
-        If the solid is not convex or is turned inside out, because the slide's
-        test is wrong for such a solid. If a face has no area, there is no
-        face, vertices are not finite or do not fit the faces, or a point is
-        not finite or does not have three components.
+        If there is no face, a face has no area, or the solid is not convex or
+        is turned inside out, because the slide's test is wrong for it.
 
     Notes
     -----
@@ -82,23 +79,26 @@ def convex_separation(
     least s away. It is exactly s away where the perpendicular from the point
     to that plane ends on the face itself.
     """
-    p = finite("point", vector("point", point))
-    normal, offset = _convex_planes(vertices, faces)
-    rows = p.reshape(-1, 3)
-    separation, face = np.empty(len(rows)), np.empty(len(rows), dtype=np.int64)
-    for block in blocks(len(rows), len(normal)):
-        heights = rows[block] @ normal.T + offset
+    require(len(faces) > 0, "faces must not be empty: there is no inside")
+    normal, offset = face_planes(vertices, faces)
+    _refuse_concave(vertices[np.unique(faces)], normal, offset)
+    points, shape = point.reshape(-1, 3), point.shape[:-1]
+    separation = np.empty(len(points))
+    face = np.empty(len(points), dtype=np.int64)
+    for block in blocks(len(points), len(normal)):
+        heights = points[block] @ normal.T + offset
         face[block] = np.argmax(heights, axis=1)
         separation[block] = np.max(heights, axis=1)
-    return separation.reshape(p.shape[:-1]), face.reshape(p.shape[:-1])
+    return separation.reshape(shape), face.reshape(shape)
 
 
+@domain
 def inside_convex(
-    point: ArrayLike,
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    tolerance: ArrayLike = 0.0,
-) -> NDArray[np.bool_]:
+    point: Vector,
+    vertices: Vertices,
+    faces: Faces,
+    tolerance: NotNegative = 0.0,
+) -> Booleans:
     """Whether a point is in a convex polyhedron (slide 9).
 
     The point is inside if it is in front of no face by more than the
@@ -121,49 +121,25 @@ def inside_convex(
     Raises
     ------
     ValueError
-        In every case in which `convex_separation` raises it, and if a
-        tolerance is negative.
+        If there is no face, a face has no area, or the solid is not convex or
+        is turned inside out, because the slide's test is wrong for it.
 
     Notes
     -----
     The `convex_separation` s of the point is its largest height above the
     planes of the faces. The function returns s ≤ tolerance.
     """
-    return np.asarray(
-        convex_separation(point, vertices, faces)[0]
-        <= not_negative("tolerance", tolerance)
-    )
-
-
-def _convex_planes(
-    vertices: ArrayLike, faces: ArrayLike
-) -> tuple[Array, Array]:
-    v, f = checked_mesh(vertices, faces)
-    if not len(f):
-        raise ValueError(
-            "faces must not be empty: a polyhedron without faces has no inside"
-        )
-    normal, offset = face_planes(v, f)
-    _refuse_concave(
-        v[np.unique(f)], normal, offset
-    )  # vertices of no face do not count
-    return normal, offset
+    separation, _ = convex_separation(point, vertices, faces)
+    return separation <= tolerance
 
 
 def _refuse_concave(corners: Array, normal: Array, offset: Array) -> None:
-    height, face = _most_in_front(corners, normal, offset)
-    if height > FLAT * size_of(corners):
-        raise ValueError(
-            "faces must bound a convex solid and look outwards:"
-            f" a vertex is {height:g} m before face {face}"
-        )
-
-
-def _most_in_front(
-    corners: Array, normal: Array, offset: Array
-) -> tuple[float, int]:
-    """Largest height of a corner above a plane, m, and the plane's face."""
-    highest = np.array(
-        [np.max(corners @ n + d) for n, d in zip(normal, offset, strict=True)]
+    """Refuse a solid with a corner in front of the plane of a face."""
+    planes = zip(normal, offset, strict=True)
+    highest = np.array([np.max(corners @ n + d) for n, d in planes])
+    height, face = np.max(highest), np.argmax(highest)
+    require(
+        height <= FLAT * size_of(corners),
+        "faces must bound a convex solid and look outwards:"
+        f" a vertex is {height:g} m before face {face}",
     )
-    return float(np.max(highest)), int(np.argmax(highest))

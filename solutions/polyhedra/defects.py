@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array, Integers
+from solutions.arrays import Array, Booleans, Integers
+from solutions.domain import domain
 from solutions.polyhedra.intersection import boxes_that_meet
 from solutions.polyhedra.orientation import LOOKS, orient2d, orient3d
 from solutions.polyhedra.segments import segment_meets_triangle
 from solutions.polyhedra.surface import (
+    Faces,
+    Vertices,
     blocks,
-    checked_mesh,
+    corners_of,
     directed_edges,
     same_places,
 )
@@ -69,7 +71,8 @@ class MeshReport:
         return not any(len(fault) for fault in vars(self).values())
 
 
-def mesh_report(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
+@domain
+def mesh_report(vertices: Vertices, faces: Faces) -> MeshReport:
     """Look for all that keeps a mesh from having a clear inside (slide 9).
 
     Vertices at the same place count as one vertex. Areas and intersections are
@@ -84,16 +87,10 @@ def mesh_report(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
     -------
     MeshReport
         A mesh without faces has no faults.
-
-    Raises
-    ------
-    ValueError
-        If vertices are not finite or do not fit the faces.
     """
-    v, f = checked_mesh(vertices, faces)
-    places = same_places(v, f)
-    flat = _without_area(v[f])
-    count, excess, ends = _edges_at(places, f)
+    flat = _without_area(corners_of(vertices, faces))
+    places = same_places(vertices, faces)
+    count, excess, ends = _edges_at(places, faces)
     odd = count % 2 == 1
     return MeshReport(
         open_edges=ends[odd],
@@ -101,21 +98,15 @@ def mesh_report(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
         twisted_edges=ends[~odd & (excess != 0)],
         degenerate_faces=np.flatnonzero(flat),
         duplicate_faces=_repeated(places),
-        crossing_faces=_crossing(v, f, places, ~flat),
+        crossing_faces=_crossing(vertices, faces, places, ~flat),
     )
 
 
-def _without_area(corners: Array) -> NDArray[np.bool_]:
+def _without_area(corners: Array) -> Booleans:
+    """Whether the corners of a face are on one line, seen along x, y and z."""
     a, b, c = np.moveaxis(corners, 1, 0)
-    return np.asarray(
-        np.all(
-            [
-                orient2d(a[:, look], b[:, look], c[:, look]) == 0
-                for look in LOOKS
-            ],
-            axis=0,
-        )
-    )
+    views = [orient2d(a[:, i], b[:, i], c[:, i]) for i in LOOKS]
+    return np.all(np.stack(views) == 0, axis=0)
 
 
 def _edges_at(
@@ -148,48 +139,46 @@ def _repeated(places: Integers) -> Integers:
 
 
 def _crossing(
-    vertices: Array,
-    faces: Integers,
-    places: Integers,
-    has_area: NDArray[np.bool_],
+    vertices: Array, faces: Integers, places: Integers, has_area: Booleans
 ) -> Integers:
     """Pairs of faces with an area that cross, (k, 2)."""
     kept = np.flatnonzero(has_area)
-    corners, found = vertices[faces[kept]], [np.empty((0, 2), dtype=np.int64)]
+    corners = vertices[faces[kept]]
+    crossing = [np.empty((0, 2), dtype=np.int64)]
     for block in blocks(len(kept), len(kept)):
         one, other = boxes_that_meet(corners[block], corners)
         one = one + block.start
         pairs = np.stack([kept[one], kept[other]], axis=1)[one < other]
-        found.append(pairs[_cross(vertices, faces, places, pairs)])
-    return np.concatenate(found)
+        crossing.append(pairs[_cross(vertices, faces, places, pairs)])
+    return np.concatenate(crossing)
 
 
 def _cross(
     vertices: Array, faces: Integers, places: Integers, pairs: Integers
-) -> NDArray[np.bool_]:
+) -> Booleans:
     """Whether faces cross, which depends on how many corners they share."""
     same = places[pairs[:, 0]][:, :, None] == places[pairs[:, 1]][:, None, :]
     shared = np.sum(same, axis=(1, 2))
-    crosses = np.asarray(shared == 3)  # the same face twice
+    crosses = shared == 3  # the same face twice
     apart = shared < 2
-    crosses[apart] = _edge_meets_face(
-        vertices, faces, pairs[apart], same[apart]
-    )
+    mesh = vertices, faces
+    crosses[apart] = _edge_meets_face(*mesh, pairs[apart], same[apart])
     folded = shared == 2
-    crosses[folded] = _folded(vertices, faces, pairs[folded], same[folded])
+    crosses[folded] = _folded(*mesh, pairs[folded], same[folded])
     return crosses
 
 
 def _edge_meets_face(
-    vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]
-) -> NDArray[np.bool_]:
+    vertices: Array, faces: Integers, pairs: Integers, same: Booleans
+) -> Booleans:
     """Whether a side of one face meets the other face.
 
     Sides that begin or end at a shared corner are left out.
     """
     meets = np.zeros(len(pairs), dtype=bool)
     for one, other, axis in ((0, 1, 2), (1, 0, 1)):
-        mine, taken = vertices[faces[pairs[:, one]]], np.any(same, axis=axis)
+        mine = vertices[faces[pairs[:, one]]]
+        taken = np.any(same, axis=axis)
         for k in range(3):
             end = (k + 1) % 3
             free = ~(taken[:, k] | taken[:, end] | meets)
@@ -201,25 +190,22 @@ def _edge_meets_face(
 
 
 def _folded(
-    vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]
-) -> NDArray[np.bool_]:
+    vertices: Array, faces: Integers, pairs: Integers, same: Booleans
+) -> Booleans:
     """Whether two faces at one edge lie on each other.
 
     They do if they are in one plane and on the same side of the edge.
     """
-    alone_1, alone_2 = (
-        np.argmin(np.any(same, axis=2), axis=1),
-        np.argmin(np.any(same, axis=1), axis=1),
-    )
+    alone_1 = np.argmin(np.any(same, axis=2), axis=1)
+    alone_2 = np.argmin(np.any(same, axis=1), axis=1)
     row = np.arange(len(pairs))
     first, second = faces[pairs[:, 0]], faces[pairs[:, 1]]
     a, b, c = (vertices[first[row, (alone_1 + k) % 3]] for k in (1, 2, 0))
     d = vertices[second[row, alone_2]]
+    in_one_plane = orient3d(a, b, c, d) == 0
     views = [
         orient2d(a[:, i], b[:, i], c[:, i])
         * orient2d(a[:, i], b[:, i], d[:, i])
         for i in LOOKS
     ]
-    return np.asarray(
-        (orient3d(a, b, c, d) == 0) & np.any(np.stack(views) > 0, axis=0)
-    )
+    return in_one_plane & np.any(np.stack(views) > 0, axis=0)

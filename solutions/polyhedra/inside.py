@@ -7,15 +7,17 @@ point crosses. The winding number adds up the solid angles of the faces.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from solutions.arrays import Array, Integers
-from solutions.checks import finite, vector
+from solutions.arrays import Array, Booleans, Integers
+from solutions.domain import Vector, domain, require
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
 from solutions.polyhedra.solid_angles import solid_angle, winding_of_mesh
 from solutions.polyhedra.surface import (
+    Faces,
+    Vertices,
     blocks,
-    checked_mesh,
+    corners_of,
     directed_edges,
     same_places,
 )
@@ -24,11 +26,10 @@ FEW = 10_000
 """Up to so many coordinates times faces, all solid angles are summed."""
 
 
+@domain
 def inside_by_parity(
-    point: ArrayLike,
-    vertices: ArrayLike,
-    faces: ArrayLike,
-) -> NDArray[np.bool_]:
+    point: Vector, vertices: Vertices, faces: Faces
+) -> Booleans:
     """Whether a point is in a closed polyhedron, convex or not (slide 9).
 
     A ray from the point, in any one direction, decides. It may meet faces, but
@@ -60,8 +61,7 @@ def inside_by_parity(
     ValueError
         If the surface is open, so that an edge has an odd number of faces. An
         open surface has no inside, and the answer of a ray would depend on its
-        direction. If a point is not finite or does not have three components,
-        or vertices are not finite or do not fit the faces.
+        direction.
 
     Notes
     -----
@@ -80,30 +80,30 @@ def inside_by_parity(
 
         (b − a)×(p + (ε, ε²) − a) > 0
 
-    The cross product is that of the point itself, plus ε (a_y − b_y), plus ε²
-    (bₓ − aₓ). The largest term that is not zero decides: first the sign of
-    `orient2d`, then that of a_y − b_y, then that of bₓ − aₓ. The ray's line
-    goes through the face if the moved point is on the same side of all three
-    edges. The ray itself does if the face is above its start, as `orient3d`
-    says.
+    To the cross product of the point itself the move adds
+
+        ε (a_y − b_y) + ε² (bₓ − aₓ)
+
+    The largest term that is not zero decides: first the sign of `orient2d`,
+    then that of a_y − b_y, then that of bₓ − aₓ. The ray's line goes through
+    the face if the moved point is on the same side of all three edges. The
+    ray itself does if the face is above its start, as `orient3d` says.
     """
-    p = finite("point", vector("point", point))
-    v, f = checked_mesh(vertices, faces)
-    _refuse_open(v, f)
-    rows, corners = p.reshape(-1, 3), v[f]
-    inside = np.zeros(len(rows), dtype=bool)
-    for block in blocks(len(rows), len(f)):
-        which, face = _faces_above(rows[block], corners)
-        crossed = _ray_crosses(rows[block][which], corners[face])
-        inside[block] = (
-            np.bincount(which[crossed], minlength=len(rows[block])) % 2 == 1
-        )
-    return inside.reshape(p.shape[:-1])
+    corners = corners_of(vertices, faces)
+    _refuse_open(vertices, faces)
+    points = point.reshape(-1, 3)
+    inside = np.zeros(len(points), dtype=bool)
+    for block in blocks(len(points), len(faces)):
+        some = points[block]
+        which, face = _faces_above(some, corners)
+        crossed = _ray_crosses(some[which], corners[face])
+        crossings = np.bincount(which[crossed], minlength=len(some))
+        inside[block] = crossings % 2 == 1
+    return inside.reshape(point.shape[:-1])
 
 
-def winding_number(
-    point: ArrayLike, vertices: ArrayLike, faces: ArrayLike
-) -> Array:
+@domain
+def winding_number(point: Vector, vertices: Vertices, faces: Faces) -> Array:
     """How often a surface goes round a point (slide 9).
 
     Where `inside_by_parity` needs a closed surface, this number has a meaning
@@ -128,12 +128,6 @@ def winding_number(
         point exactly; where rounding moves the plane off the point, the result
         is a whole number.
 
-    Raises
-    ------
-    ValueError
-        If a point is not finite or does not have three components, or vertices
-        are not finite or do not fit the faces.
-
     Notes
     -----
     It is the sum of the solid angles Ω of all faces, as seen from the point
@@ -155,20 +149,17 @@ def winding_number(
     `fast_winding_number` of libigl takes distant faces together. It is some
     forty times as fast there, and right to a hundredth.
     """
-    p = finite("point", vector("point", point))
-    v, f = checked_mesh(vertices, faces)
-    if p.size * len(f) > FEW:
-        return winding_of_mesh(p, v, f)
-    return np.asarray(
-        np.sum(solid_angle(p[..., None, :], v[f]), axis=-1) / (4 * np.pi)
-    )
+    corners = corners_of(vertices, faces)
+    if point.size * len(faces) > FEW:
+        return winding_of_mesh(point, vertices, faces)
+    angles = solid_angle(point[..., None, :], corners)
+    return np.sum(angles, axis=-1) / (4 * np.pi)
 
 
+@domain
 def inside_by_winding(
-    point: ArrayLike,
-    vertices: ArrayLike,
-    faces: ArrayLike,
-) -> NDArray[np.bool_]:
+    point: Vector, vertices: Vertices, faces: Faces
+) -> Booleans:
     """Whether a surface goes round a point more than half a time (slide 9).
 
     It does where |w| > 1/2, with the `winding_number` w. This test is slower
@@ -187,43 +178,34 @@ def inside_by_winding(
     -------
     (...), bool
         On the surface rounding decides.
-
-    Raises
-    ------
-    ValueError
-        If a point is not finite or does not have three components, or vertices
-        are not finite or do not fit the faces.
     """
-    return np.asarray(np.abs(winding_number(point, vertices, faces)) > 0.5)
+    w = winding_number(point, vertices, faces)
+    return np.abs(w) > 0.5
 
 
 def _refuse_open(vertices: Array, faces: Integers) -> None:
-    edges, count = np.unique(
-        np.sort(directed_edges(same_places(vertices, faces)), axis=1),
-        axis=0,
-        return_counts=True,
-    )
+    """Refuse faces with an edge that belongs to an odd number of them."""
+    edges = np.sort(directed_edges(same_places(vertices, faces)), axis=1)
+    edges, count = np.unique(edges, axis=0, return_counts=True)
     odd = (count % 2 == 1) & (edges[:, 0] != edges[:, 1])
-    if np.any(odd):
-        raise ValueError(
-            f"faces must bound a closed surface: {np.sum(odd)} edges belong to"
-            " an odd number of faces"
-        )
+    require(
+        ~odd,
+        f"faces must bound a closed surface: {np.sum(odd)} edges belong to"
+        " an odd number of faces",
+    )
 
 
 def _faces_above(point: Array, corners: Array) -> tuple[Integers, Integers]:
     """Pairs of a point and a face whose box the point's ray up can meet."""
-    (x, y, z), low, high = (
-        point.T[..., None],
-        np.min(corners, axis=1).T,
-        np.max(corners, axis=1).T,
-    )
+    x, y, z = point.T[..., None]
+    low = np.min(corners, axis=1).T
+    high = np.max(corners, axis=1).T
     beside = (low[0] <= x) & (x <= high[0]) & (low[1] <= y) & (y <= high[1])
     which, face = np.nonzero(beside & (z <= high[2]))
     return which, face
 
 
-def _ray_crosses(p: Array, corners: Array) -> NDArray[np.bool_]:
+def _ray_crosses(p: Array, corners: Array) -> Booleans:
     """Whether the ray up from each p (k, 3) goes through its face (k, 3, 3).
 
     The ray starts at the point moved by (ε, ε², ε³).
@@ -233,10 +215,9 @@ def _ray_crosses(p: Array, corners: Array) -> NDArray[np.bool_]:
     # Seen from above, the ray must start on the same side of all three edges.
     for start, end in ((b, c), (c, a)):
         same = turn != 0
-        turn[same] *= (
-            _beside_edge(start[same], end[same], p[same]) == turn[same]
-        )
-    crossed = np.asarray(turn != 0)
+        other = _beside_edge(start[same], end[same], p[same])
+        turn[same] *= other == turn[same]
+    crossed = turn != 0
     side = _before_face(a[crossed], b[crossed], c[crossed], p[crossed])
     # The face is above the start if it looks up and the start is behind it,
     # or if it looks down and the start is in front of it.
@@ -250,13 +231,10 @@ def _beside_edge(a: Array, b: Array, p: Array) -> Sign:
     It is +1 to the left of the edge, −1 to its right, and 0 if the edge is
     upright.
     """
-    by_epsilon, by_its_square = (
-        np.sign(a[:, 1] - b[:, 1]),
-        np.sign(b[:, 0] - a[:, 0]),
-    )
-    return _first_sign(
-        orient2d(a[:, :2], b[:, :2], p[:, :2]), by_epsilon, by_its_square
-    )
+    side = orient2d(a[:, :2], b[:, :2], p[:, :2])
+    by_epsilon = np.sign(a[:, 1] - b[:, 1])
+    by_its_square = np.sign(b[:, 0] - a[:, 0])
+    return _first_sign(side, by_epsilon, by_its_square)
 
 
 def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
@@ -267,12 +245,9 @@ def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
     side = orient3d(a, b, c, p)
     on = side == 0
     if np.any(on):
-        side[on] = _first_sign(
-            *(
-                orient2d(a[on][:, look], b[on][:, look], c[on][:, look])
-                for look in LOOKS
-            )
-        )
+        a, b, c = a[on], b[on], c[on]
+        views = (orient2d(a[:, i], b[:, i], c[:, i]) for i in LOOKS)
+        side[on] = _first_sign(*views)
     return side
 
 

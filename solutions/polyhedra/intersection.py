@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
+from solutions.domain import domain
 from solutions.polyhedra.inside import inside_by_parity
 from solutions.polyhedra.segments import segment_meets_triangle
-from solutions.polyhedra.surface import blocks, checked_mesh, mesh_edges
+from solutions.polyhedra.surface import (
+    Faces,
+    Vertices,
+    blocks,
+    corners_of,
+    mesh_edges,
+)
 
 
+@domain
 def edges_through_faces(
-    vertices_a: ArrayLike,
-    faces_a: ArrayLike,
-    vertices_b: ArrayLike,
-    faces_b: ArrayLike,
+    vertices_a: Vertices, faces_a: Faces, vertices_b: Vertices, faces_b: Faces
 ) -> tuple[Integers, Integers]:
     """All edges of A that meet a face of B (slide 9).
 
@@ -25,8 +29,9 @@ def edges_through_faces(
     Parameters
     ----------
     vertices_a : (v, 3), m
-    faces_a : (f, 3), indices of the corners
-    vertices_b, faces_b : the same of B
+    faces_a : (f, 3), indices of the corners of A's faces
+    vertices_b : (v, 3), m
+    faces_b : (f, 3), indices of the corners of B's faces
 
     Returns
     -------
@@ -34,39 +39,34 @@ def edges_through_faces(
     face : (k,), index of the face of B that it meets
         `segment_triangle` gives the place where they meet. Both arrays are
         empty if nothing meets.
-
-    Raises
-    ------
-    ValueError
-        If the vertices of a mesh are not finite or do not fit its faces.
     """
-    a, _ = checked_mesh(vertices_a, faces_a)
-    b, f = checked_mesh(vertices_b, faces_b)
     edges = mesh_edges(vertices_a, faces_a)
-    found = [(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64))]
-    for block in blocks(len(edges), len(f)):
-        edge, face = boxes_that_meet(a[edges[block]], b[f])
-        start, end = np.moveaxis(a[edges[block][edge]], 1, 0)
-        meets = segment_meets_triangle(start, end, b[f[face]])
-        found.append((edge[meets] + block.start, face[meets]))
-    edge, face = (np.concatenate(part) for part in zip(*found, strict=True))
+    ends = vertices_a[edges]
+    corners = corners_of(vertices_b, faces_b)
+    pairs = [np.empty((0, 2), dtype=np.int64)]  # numbers of edges and faces
+    for block in blocks(len(edges), len(corners)):
+        edge, face = boxes_that_meet(ends[block], corners)
+        edge = edge + block.start
+        start, end = np.moveaxis(ends[edge], 1, 0)
+        meets = segment_meets_triangle(start, end, corners[face])
+        pairs.append(np.column_stack([edge[meets], face[meets]]))
+    edge, face = np.concatenate(pairs).T
     return edges[edge], face
 
 
+@domain
 def polyhedra_intersect(
-    vertices_a: ArrayLike,
-    faces_a: ArrayLike,
-    vertices_b: ArrayLike,
-    faces_b: ArrayLike,
+    vertices_a: Vertices, faces_a: Faces, vertices_b: Vertices, faces_b: Faces
 ) -> bool:
     """Whether two solids have a point in common, convex or not (slide 9).
 
     Parameters
     ----------
     vertices_a : (v, 3), m
-    faces_a : (f, 3), indices of the corners
-        The surface must be closed.
-    vertices_b, faces_b : the same of B
+    faces_a : (f, 3), indices of the corners of A's faces
+        The surface must be closed, and so must that of B.
+    vertices_b : (v, 3), m
+    faces_b : (f, 3), indices of the corners of B's faces
 
     Returns
     -------
@@ -81,8 +81,7 @@ def polyhedra_intersect(
     Raises
     ------
     ValueError
-        If a surface is open, or the vertices of a mesh are not finite or do
-        not fit its faces.
+        If a surface is open.
 
     Notes
     -----
@@ -98,15 +97,17 @@ def polyhedra_intersect(
     goes through the middle of a large face, its own edges go through that
     face, but no edge of the face goes through the bar.
     """
-    a, b = checked_mesh(vertices_a, faces_a), checked_mesh(vertices_b, faces_b)
-    inside = [
-        np.any(inside_by_parity(one[0][np.unique(one[1])], *other))
-        for one, other in ((a, b), (b, a))
-    ]
-    return (
-        any(inside)
-        or len(edges_through_faces(*a, *b)[1]) > 0
-        or len(edges_through_faces(*b, *a)[1]) > 0
+    a = vertices_a, faces_a
+    b = vertices_b, faces_b
+    ends_a = vertices_a[np.unique(mesh_edges(*a))]
+    ends_b = vertices_b[np.unique(mesh_edges(*b))]
+    a_in_b = np.any(inside_by_parity(ends_a, *b))
+    b_in_a = np.any(inside_by_parity(ends_b, *a))
+    return bool(
+        a_in_b
+        or b_in_a
+        or len(edges_through_faces(*a, *b)[1])
+        or len(edges_through_faces(*b, *a)[1])
     )
 
 
@@ -119,8 +120,7 @@ def boxes_that_meet(first: Array, second: Array) -> tuple[Integers, Integers]:
     low_2, high_2 = np.min(second, axis=1), np.max(second, axis=1)
     touch = np.ones((len(first), len(second)), dtype=bool)
     for axis in range(3):
-        touch &= (low_1[:, None, axis] <= high_2[:, axis]) & (
-            low_2[:, axis] <= high_1[:, None, axis]
-        )
+        touch &= low_1[:, None, axis] <= high_2[:, axis]
+        touch &= low_2[:, axis] <= high_1[:, None, axis]
     one, other = np.nonzero(touch)
     return one, other

@@ -6,15 +6,19 @@ The exact signs decide whether something is inside.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from solutions.arrays import Array
-from solutions.checks import finite
+from solutions.arrays import Array, Integers
+from solutions.checks import finite, with_shape
+from solutions.domain import Vector, domain
 
-Sign = NDArray[np.int64]
+Point2d = Annotated[Array, with_shape(..., 2), finite]
+"""(..., 2), finite."""
+Sign = Integers
+"""(...), 1, 0 or −1."""
 Numbers = NDArray[Any]
 """Floats, or Python's integers, which have as many digits as it takes."""
 
@@ -32,7 +36,8 @@ LOOKS = ([1, 2], [2, 0], [0, 1])
 """The two coordinates that are left when looking along x, y and z."""
 
 
-def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
+@domain
+def side_of_line(a: Point2d, b: Point2d, c: Point2d) -> Sign:
     """Whether c is left of the line from a to b (+1), on it (0) or right (−1).
 
     It is the sign of a number that is calculated in floats as it comes. Close
@@ -48,12 +53,6 @@ def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     -------
     (...), 1, 0 or −1
         It is also 0 where a = b.
-
-    Raises
-    ------
-    ValueError
-        If a coordinate is not finite, or a point does not have two
-        coordinates.
 
     Notes
     -----
@@ -72,14 +71,13 @@ def side_of_line(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     from the first corner (Kettner et al. 2008). The count is another one for
     another corner.
     """
-    start, end, point = _points(2, a=a, b=b, c=c)
-    u, w = end - start, point - start
-    return np.asarray(
-        np.sign(u[..., 0] * w[..., 1] - u[..., 1] * w[..., 0]), dtype=np.int64
-    )
+    u, w = b - a, c - a
+    cross_product = u[..., 0] * w[..., 1] - u[..., 1] * w[..., 0]
+    return np.sign(cross_product).astype(np.int64)
 
 
-def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
+@domain
+def orient2d(a: Point2d, b: Point2d, c: Point2d) -> Sign:
     """Whether c is left of the line from a to b (+1), on it (0) or right (−1).
 
     The sign is exact.
@@ -92,12 +90,6 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     -------
     (...), 1, 0 or −1
         It is also 0 where a = b.
-
-    Raises
-    ------
-    ValueError
-        If a coordinate is not finite, or a point does not have two
-        coordinates.
 
     Notes
     -----
@@ -115,10 +107,11 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
     points are swapped, it is exactly reversed. So two faces at an edge never
     both claim a point beside that edge, nor do they both refuse it.
     """
-    return _exact_sign(_area, BOUND_2D, _points(2, a=a, b=b, c=c))
+    return _exact_sign(_area, BOUND_2D, a, b, c)
 
 
-def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
+@domain
+def orient3d(a: Vector, b: Vector, c: Vector, d: Vector) -> Sign:
     """Whether d is before face a, b, c (+1), in its plane (0) or behind (−1).
 
     The sign is exact. The front is the side from which a, b, c are seen to run
@@ -133,12 +126,6 @@ def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
     (...), 1, 0 or −1
         It is also 0 where a, b and c are on one line.
 
-    Raises
-    ------
-    ValueError
-        If a coordinate is not finite, or a point does not have three
-        coordinates.
-
     Notes
     -----
     The result is the
@@ -150,24 +137,16 @@ def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
     `orient2d`, the function first computes the sign in floats. Where rounding
     could have changed the sign, it computes it again in whole numbers.
     """
-    return _exact_sign(_volume, BOUND_3D, _points(3, a=a, b=b, c=c, d=d))
-
-
-def _points(size: int, **named: ArrayLike) -> Array:
-    points = [finite(name, value) for name, value in named.items()]
-    for name, point in zip(named, points, strict=True):
-        if point.shape[-1:] != (size,):
-            raise ValueError(
-                f"{name} must have shape (..., {size}), not {point.shape}"
-            )
-    return np.stack(np.broadcast_arrays(*points))
+    return _exact_sign(_volume, BOUND_3D, a, b, c, d)
 
 
 def _exact_sign(
     determinant: Callable[[Numbers], tuple[Numbers, Numbers]],
     bound: float,
-    points: Array,
+    *corners: Array,
 ) -> Sign:
+    """Sign of a determinant, in whole numbers where floats leave it open."""
+    points = np.stack(np.broadcast_arrays(*corners))
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         value, size = determinant(points)
         # This is true for NaN, so that a value that overflows is unsure too.
@@ -175,9 +154,7 @@ def _exact_sign(
     sign = np.where(unsure, 0, np.sign(value)).astype(np.int64)
     if np.any(unsure):
         exact, _ = determinant(_whole(points[:, unsure]))
-        sign[unsure] = (exact > 0).astype(np.int64) - (exact < 0).astype(
-            np.int64
-        )
+        sign[unsure] = (exact > 0).astype(np.int64) - (exact < 0)
     return sign
 
 

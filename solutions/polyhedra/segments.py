@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import finite, matrix, vector
+from solutions.arrays import Array, Booleans
 from solutions.detection import signed_distance
+from solutions.domain import Direction, Number, Vector, domain, require
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
+from solutions.polyhedra.surface import Triangle
+from solutions.vectors import quotient
 
 ROUNDING = 1e-15
 """Share of the largest coordinate within which a point counts as on a side.
@@ -17,11 +18,9 @@ It is used to find where a segment enters a triangle's sides.
 """
 
 
+@domain
 def segment_plane(
-    start: ArrayLike,
-    end: ArrayLike,
-    normal: ArrayLike,
-    offset: ArrayLike,
+    start: Vector, end: Vector, normal: Direction, offset: Number
 ) -> Array:
     """Share of a segment at which it meets the plane n·p + d = 0 (slide 9).
 
@@ -38,12 +37,6 @@ def segment_plane(
         plane counts. A segment that lies in the plane meets it all along, and
         first at t = 0. If both ends are on the same side, t is infinity.
 
-    Raises
-    ------
-    ValueError
-        If a normal is zero, an end is not finite, or a vector does not have
-        three components.
-
     Notes
     -----
     The share is
@@ -55,16 +48,15 @@ def segment_plane(
     is s0 + t (s1 − s0) at the share t. The segment meets the plane where this
     is zero, which gives t.
     """
-    s0 = signed_distance(finite("start", start), normal, offset)
-    s1 = signed_distance(finite("end", end), normal, offset)
+    s0 = signed_distance(start, normal, offset)
+    s1 = signed_distance(end, normal, offset)
     meets = (np.minimum(s0, s1) <= 0) & (np.maximum(s0, s1) >= 0)
     return np.where(meets, _share(s0, s1), np.inf)
 
 
+@domain
 def segment_triangle(
-    start: ArrayLike,
-    end: ArrayLike,
-    triangle: ArrayLike,
+    start: Vector, end: Vector, triangle: Triangle
 ) -> tuple[Array, Array]:
     """Where along a segment, and where on a triangle, the two first meet.
 
@@ -97,8 +89,7 @@ def segment_triangle(
     Raises
     ------
     ValueError
-        If a triangle's area is too small for floats to tell it from zero, a
-        number is not finite, or a shape does not fit.
+        If a triangle's area is too small for floats to tell it from zero.
 
     Notes
     -----
@@ -108,7 +99,8 @@ def segment_triangle(
     found there makes a triangle with each side of the triangle a, b, c. The
     weights are the shares of these three areas,
 
-        w_a = n·((b − x)×(c − x)) / n·n,    n = (b − a)×(c − a)
+        w_a = n·((b − x)×(c − x)) / n·n
+        n = (b − a)×(c − a)
 
     and so on round the triangle. An area is negative where x is beyond that
     side, so x is on the triangle if no weight is negative. Weights give the
@@ -126,29 +118,24 @@ def segment_triangle(
     p, q, corners = _side_by_side(start, end, triangle)
     a, b, c = (corners[..., k, :] for k in range(3))
     normal = np.cross(b - a, c - a)
-    if np.any(np.all(normal == 0, axis=-1)):
-        raise ValueError("triangle must have an area: one has none")
+    has_area = np.any(normal != 0, axis=-1)
+    require(has_area, "triangle must have an area: one has none")
     shares = _candidates(p, q, corners, normal)
     places = p[..., None, :] + shares[..., None] * (q - p)[..., None, :]
     weights = _weights(places, corners[..., None, :, :], normal[..., None, :])
-    nearest = np.argmin(
-        np.linalg.norm(weights @ corners - places, axis=-1), axis=-1
-    )[..., None]
-    fraction = np.take_along_axis(shares, nearest, axis=-1)[..., 0]
-    weight = np.take_along_axis(weights, nearest[..., None], axis=-2)[
-        ..., 0, :
-    ]
+    distance = np.linalg.norm(weights @ corners - places, axis=-1)
+    nearest = np.argmin(distance, axis=-1)[..., None]
+    t = np.take_along_axis(shares, nearest, axis=-1)[..., 0]
+    w = np.take_along_axis(weights, nearest[..., None], axis=-2)[..., 0, :]
     meets = segment_meets_triangle(p, q, corners)
-    return np.where(meets, fraction, np.inf), np.where(
-        meets[..., None], weight, np.nan
-    )
+    fraction = np.where(meets, t, np.inf)
+    return fraction, np.where(meets[..., None], w, np.nan)
 
 
+@domain
 def segment_meets_triangle(
-    start: ArrayLike,
-    end: ArrayLike,
-    triangle: ArrayLike,
-) -> NDArray[np.bool_]:
+    start: Vector, end: Vector, triangle: Triangle
+) -> Booleans:
     """Whether a segment and a triangle have a point in common, exactly.
 
     Parameters
@@ -163,11 +150,6 @@ def segment_meets_triangle(
         segment that lies in the triangle's plane. Nothing meets a triangle
         without area.
 
-    Raises
-    ------
-    ValueError
-        If a number is not finite, or a shape does not fit.
-
     Notes
     -----
     A segment meets a triangle if its ends are not on the same side of the
@@ -181,53 +163,52 @@ def segment_meets_triangle(
     """
     p, q, corners = _side_by_side(start, end, triangle)
     shape = p.shape[:-1]
-    p, q, (a, b, c) = (
-        p.reshape(-1, 3),
-        q.reshape(-1, 3),
-        np.moveaxis(corners.reshape(-1, 3, 3), 1, 0),
-    )
-    side_p, side_q = orient3d(a, b, c, p), orient3d(a, b, c, q)
-    meets, flat = side_p * side_q <= 0, (side_p == 0) & (side_q == 0)
+    p, q = p.reshape(-1, 3), q.reshape(-1, 3)
+    a, b, c = np.moveaxis(corners.reshape(-1, 3, 3), 1, 0)
+    side_p = orient3d(a, b, c, p)
+    side_q = orient3d(a, b, c, q)
+    meets = side_p * side_q <= 0
+    flat = (side_p == 0) & (side_q == 0)
     steep = meets & ~flat
     meets[steep] = _passes_through(*(x[steep] for x in (p, q, a, b, c)))
     meets[flat] = _meets_in_plane(*(x[flat] for x in (p, q, a, b, c)))
-    return np.asarray(meets.reshape(shape))
+    return meets.reshape(shape)
 
 
 def _side_by_side(
-    start: ArrayLike, end: ArrayLike, triangle: ArrayLike
+    start: Array, end: Array, triangle: Array
 ) -> tuple[Array, Array, Array]:
-    p, q = (
-        finite("start", vector("start", start)),
-        finite("end", vector("end", end)),
+    """Segments and triangles, one beside the other, broadcast together."""
+    shape = np.broadcast_shapes(
+        start.shape[:-1], end.shape[:-1], triangle.shape[:-2]
     )
-    corners = matrix("triangle", triangle)
-    shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])
     return (
-        np.broadcast_to(p, (*shape, 3)),
-        np.broadcast_to(q, (*shape, 3)),
-        np.broadcast_to(corners, (*shape, 3, 3)),
+        np.broadcast_to(start, (*shape, 3)),
+        np.broadcast_to(end, (*shape, 3)),
+        np.broadcast_to(triangle, (*shape, 3, 3)),
     )
 
 
 def _passes_through(
     p: Array, q: Array, a: Array, b: Array, c: Array
-) -> NDArray[np.bool_]:
+) -> Booleans:
+    """Whether a line passes the three sides of a triangle with one turn."""
     turns = np.stack(
         [orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)]
     )
-    return np.asarray(np.all(turns >= 0, axis=0) | np.all(turns <= 0, axis=0))
+    return np.all(turns >= 0, axis=0) | np.all(turns <= 0, axis=0)
 
 
 def _meets_in_plane(
     p: Array, q: Array, a: Array, b: Array, c: Array
-) -> NDArray[np.bool_]:
+) -> Booleans:
     """Whether they meet when all five points are in one plane.
 
     Seen along x, y and z they must meet, and one view at least must not be
     edge-on.
     """
-    meets, area = np.ones(len(p), dtype=bool), np.zeros(len(p), dtype=bool)
+    meets = np.ones(len(p), dtype=bool)
+    area = np.zeros(len(p), dtype=bool)
     for look in LOOKS:
         start, end, *corners = (x[:, look] for x in (p, q, a, b, c))
         turn = orient2d(*corners)
@@ -238,7 +219,7 @@ def _meets_in_plane(
 
 def _apart_in_view(
     p: Array, q: Array, corners: list[Array], turn: Sign
-) -> NDArray[np.bool_]:
+) -> Booleans:
     """Whether a line has the segment and the triangle on its two sides.
 
     The line is along a side of the triangle or along the segment, and it may
@@ -248,18 +229,15 @@ def _apart_in_view(
     sides = np.stack([orient2d(p, q, corner) for corner in corners])
     apart = np.all(sides > 0, axis=0) | np.all(sides < 0, axis=0)
     for start, end in ((a, b), (b, c), (c, a)):
-        apart |= (orient2d(start, end, p) * turn < 0) & (
-            orient2d(start, end, q) * turn < 0
-        )
-    return np.asarray(apart)
+        beyond_p = orient2d(start, end, p) * turn < 0
+        beyond_q = orient2d(start, end, q) * turn < 0
+        apart |= beyond_p & beyond_q
+    return apart
 
 
 def _share(s0: Array, s1: Array) -> Array:
     """s0/(s0 − s1), 0 to 1; 0 where both are 0."""
-    change = s0 - s1
-    return np.asarray(
-        np.clip(s0 / np.where(change == 0, 1.0, change), 0.0, 1.0)
-    )
+    return np.clip(quotient(s0, s0 - s1, s0), 0.0, 1.0)
 
 
 def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
@@ -274,11 +252,10 @@ def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
     flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
     first, last = _stretch(p, q, corners, normal)
     through = _share(np.vecdot(normal, p - a), np.vecdot(normal, q - a))
-    return np.where(
-        flat[..., None],
-        np.minimum(first, last)[..., None],
-        np.stack([through, np.clip(through, first, last)], axis=-1),
-    )
+    within = np.clip(through, first, last)
+    enters = np.minimum(first, last)[..., None]
+    both = np.stack([through, within], axis=-1)
+    return np.where(flat[..., None], enters, both)
 
 
 def _stretch(
@@ -291,28 +268,19 @@ def _stretch(
     """
     sides = np.roll(corners, -1, axis=-2) - corners
     inward = np.cross(normal[..., None, :], sides)
-    s0, s1 = (
-        np.vecdot(inward, p[..., None, :] - corners),
-        np.vecdot(inward, q[..., None, :] - corners),
-    )
-    size = np.max(
-        np.abs(
-            np.concatenate(
-                [p[..., None, :], q[..., None, :], corners], axis=-2
-            )
-        ),
-        axis=(-2, -1),
-    )
+    start, end = p[..., None, :], q[..., None, :]
+    s0 = np.vecdot(inward, start - corners)
+    s1 = np.vecdot(inward, end - corners)
+    places = np.concatenate([start, end, corners], axis=-2)
+    size = np.max(np.abs(places), axis=(-2, -1))
     # A segment along a side does not cross it, although rounding may say so.
     # The normal is at right angles to the sides, so their lengths multiply.
     length = np.linalg.norm(normal, axis=-1, keepdims=True)
     length = length * np.linalg.norm(sides, axis=-1)
     on = -ROUNDING * length * size[..., None]
     share = _share(s0, s1)
-    first, last = (
-        np.where((s0 < on) & (s1 >= on), share, 0.0),
-        np.where((s1 < on) & (s0 >= on), share, 1.0),
-    )
+    first = np.where((s0 < on) & (s1 >= on), share, 0.0)
+    last = np.where((s1 < on) & (s0 >= on), share, 1.0)
     return np.max(first, axis=-1), np.min(last, axis=-1)
 
 
@@ -322,14 +290,8 @@ def _weights(x: Array, corners: Array, normal: Array) -> Array:
     They are the areas of the three triangles that the point makes with the
     sides.
     """
-    following, last = (
-        np.roll(corners, -1, axis=-2),
-        np.roll(corners, -2, axis=-2),
-    )
-    areas = np.vecdot(
-        normal[..., None, :],
-        np.cross(following - x[..., None, :], last - x[..., None, :]),
-    )
+    to_second = np.roll(corners, -1, axis=-2) - x[..., None, :]
+    to_third = np.roll(corners, -2, axis=-2) - x[..., None, :]
+    areas = np.vecdot(normal[..., None, :], np.cross(to_second, to_third))
     areas = np.maximum(areas, 0.0)
-    total = np.sum(areas, axis=-1, keepdims=True)
-    return np.asarray(areas / np.where(total > 0, total, 1.0))
+    return quotient(areas, np.sum(areas, axis=-1, keepdims=True))

@@ -10,11 +10,10 @@ with the same rim. The sum stays the same up to rounding (Jacobson et al.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import in_space, matrix
-from solutions.polyhedra.surface import blocks, directed_edges
+from solutions.domain import Vector, domain
+from solutions.polyhedra.surface import Triangle, blocks, directed_edges
 
 FEW_FACES = 8
 FEW_POINTS = 150
@@ -37,7 +36,8 @@ IN_CACHE = 4
 cache."""
 
 
-def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
+@domain
+def solid_angle(point: Vector, triangle: Triangle) -> Array:
     """The solid angle of a triangle as seen from a point (slide 9).
 
     It is the area of the triangle's image on a sphere of radius 1 around the
@@ -56,11 +56,6 @@ def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
         counter-clockwise. It is 0 where the point is in the triangle's plane,
         also on the triangle itself, and for a triangle without area.
 
-    Raises
-    ------
-    ValueError
-        If a number is not finite, or a shape does not fit.
-
     Notes
     -----
     Let a, b and c be the vectors from the point to the corners. The solid
@@ -74,16 +69,13 @@ def solid_angle(point: ArrayLike, triangle: ArrayLike) -> Array:
     through the point. The denominator is negative where Ω is more than π, and
     the function of the arc takes both with their signs.
     """
-    p, corners = in_space("point", point), matrix("triangle", triangle)
-    first, second, third = np.moveaxis(corners, -2, 0)
+    corners = np.moveaxis(triangle, -2, 0)
+    first, second, third = corners
     normal = np.moveaxis(np.cross(second - first, third - first), -1, 0)
-    a, b, c = (
-        np.moveaxis(corner - p, -1, 0) for corner in (first, second, third)
-    )
+    a, b, c = (np.moveaxis(corner - point, -1, 0) for corner in corners)
     la, lb, lc = (np.sqrt(_dot(x, x)) for x in (a, b, c))
-    return 2 * _half_angle(
-        _dot(a, normal), (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a))
-    )
+    products = _dot(a, b), _dot(b, c), _dot(c, a)
+    return 2 * _half_angle(_dot(a, normal), (la, lb, lc), products)
 
 
 def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
@@ -112,10 +104,8 @@ def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
     For the points in the box the function cuts the part in two, and asks the
     same of each half.
     """
-    low, high = (
-        np.min(vertices[faces], axis=(0, 1)),
-        np.max(vertices[faces], axis=(0, 1)),
-    )
+    low = np.min(vertices[faces], axis=(0, 1))
+    high = np.max(vertices[faces], axis=(0, 1))
     margin = MARGIN * np.max(high - low)
     near = np.all((point >= low - margin) & (point <= high + margin), axis=1)
     winding = np.empty(len(point))
@@ -135,17 +125,17 @@ def _winding_of_halves(
             first, second = (
                 winding_of_part(point, vertices, half) for half in halves
             )
-            return np.asarray(first + second)
+            return first + second
     return _sum_of_part(point, vertices, faces)
 
 
 def _halves(vertices: Array, faces: Integers) -> tuple[Integers, Integers]:
     """The faces on either side of a cut across the mesh's longest side."""
     middle = np.mean(vertices[faces], axis=1)
-    order = np.argsort(
-        middle[:, np.argmax(np.ptp(middle, axis=0))], kind="stable"
-    )
-    return faces[order[: len(faces) // 2]], faces[order[len(faces) // 2 :]]
+    longest = np.argmax(np.ptp(middle, axis=0))
+    order = np.argsort(middle[:, longest], kind="stable")
+    half = len(faces) // 2
+    return faces[order[:half]], faces[order[half:]]
 
 
 def cap(faces: Integers) -> Integers:
@@ -157,17 +147,13 @@ def cap(faces: Integers) -> Integers:
     edges = directed_edges(faces)
     # One whole number for both ends of an edge is sorted faster than the two.
     count = np.max(edges, initial=0) + 1
-    code, number = np.unique(
-        edges.min(axis=1) * count + edges.max(axis=1), return_inverse=True
-    )
+    codes = edges.min(axis=1) * count + edges.max(axis=1)
+    code, number = np.unique(codes, return_inverse=True)
     edge = np.column_stack(np.divmod(code, count))
     way = np.sign(edges[:, 1] - edges[:, 0])  # 0 for an edge without length
     excess = np.bincount(number.reshape(-1), way, len(edge)).astype(np.int64)
-    rim = np.repeat(
-        np.where(excess[:, None] > 0, edge, edge[:, ::-1]),
-        np.abs(excess),
-        axis=0,
-    )
+    along = np.where(excess[:, None] > 0, edge, edge[:, ::-1])
+    rim = np.repeat(along, np.abs(excess), axis=0)
     if not len(rim):
         return np.empty((0, 3), dtype=np.int64)
     top = np.argmax(np.bincount(rim.reshape(-1)))
@@ -181,9 +167,8 @@ def sum_of_angles(point: Array, vertices: Array, faces: Integers) -> Array:
     normal = np.cross(second - first, third - first)
     winding = np.zeros(len(point))
     for block in blocks(len(point), IN_CACHE * len(faces)):
-        winding[block] = np.sum(
-            _half_solid_angles(point[block], vertices, faces, normal), axis=1
-        ) / (2 * np.pi)
+        halves = _half_solid_angles(point[block], vertices, faces, normal)
+        winding[block] = np.sum(halves, axis=1) / (2 * np.pi)
     return winding
 
 
@@ -202,12 +187,10 @@ def _half_solid_angles(
     length = np.sqrt(_dot(to_vertex, to_vertex))
     a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
     la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
-    volume = _dot(
-        a, normal.T[:, None]
-    )  # a·(b×c), with b − a and c − a for b and c
-    return _half_angle(
-        volume, (la, lb, lc), (_dot(a, b), _dot(b, c), _dot(c, a))
-    )
+    # a·(b×c), with b − a and c − a for b and c
+    volume = _dot(a, normal.T[:, None])
+    products = _dot(a, b), _dot(b, c), _dot(c, a)
+    return _half_angle(volume, (la, lb, lc), products)
 
 
 def _half_angle(
@@ -217,13 +200,10 @@ def _half_angle(
 ) -> Array:
     """Ω/2 from a·(b×c), ‖a‖, ‖b‖ and ‖c‖, and from a·b, b·c and c·a."""
     (la, lb, lc), (ab, bc, ca) = lengths, products
-    return np.where(
-        volume == 0,
-        0.0,
-        np.arctan2(volume, (la * lb + ab) * lc + bc * la + ca * lb),
-    )
+    denominator = (la * lb + ab) * lc + bc * la + ca * lb
+    return np.where(volume == 0, 0.0, np.arctan2(volume, denominator))
 
 
 def _dot(a: Array, b: Array) -> Array:
     """Scalar product (...) of vectors (3, ...)."""
-    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import finite
+from solutions.checks import finite, matrix, with_shape
+from solutions.domain import domain
 
 PAIRS = 1 << 16
 """How many pairs, as of points and faces, are looked at in one go.
@@ -17,48 +19,28 @@ This bounds the memory, whatever the input.
 """
 
 
-def checked_mesh(
-    vertices: ArrayLike, faces: ArrayLike
-) -> tuple[Array, Integers]:
-    """Return vertices (v, 3) as floats and faces (f, 3) as indices.
-
-    Parameters
-    ----------
-    vertices : (v, 3), m
-    faces : (f, 3), indices of the corners
-
-    Returns
-    -------
-    vertices : (v, 3), float
-    faces : (f, 3), int
-
-    Raises
-    ------
-    ValueError
-        If a shape does not fit, a vertex is not finite, or a face names a
-        vertex that is not there.
-    """
-    v, f = finite("vertices", vertices), np.asarray(faces)
-    if v.ndim != 2 or v.shape[1] != 3:
-        raise ValueError(f"vertices must have the shape (v, 3), not {v.shape}")
-    if (
-        f.ndim != 2
-        or f.shape[1] != 3
-        or not np.issubdtype(f.dtype, np.integer)
-    ):
+def face_array(name: str, value: ArrayLike) -> Integers:
+    """Return faces (f, 3); refuse other shapes and what is not whole."""
+    array = np.asarray(value)
+    of_three = array.ndim == 2 and array.shape[1] == 3
+    if not of_three or not np.issubdtype(array.dtype, np.integer):
         raise ValueError(
-            "faces must be whole numbers of the shape (f, 3),"
-            f" not {f.dtype} of {f.shape}"
+            f"{name} must be whole numbers of the shape (f, 3),"
+            f" not {array.dtype} of {array.shape}"
         )
-    wrong = (f < 0) | (f >= len(v))
-    if np.any(wrong):
-        raise ValueError(
-            f"faces must name vertices 0 to {len(v) - 1}, not {f[wrong][0]}"
-        )
-    return v, f.astype(np.int64)
+    return array.astype(np.int64, copy=False)
 
 
-def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
+Vertices = Annotated[Array, with_shape("v", 3), finite]
+"""(v, 3), finite."""
+Faces = Annotated[Integers, face_array]
+"""(f, 3), the numbers of each face's corners among the vertices."""
+Triangle = Annotated[Array, matrix]
+"""(..., 3, 3), finite: three corners."""
+
+
+@domain
+def face_planes(vertices: Vertices, faces: Faces) -> tuple[Array, Array]:
     """Plane n·p + d = 0 of every face, with its normal pointing outwards.
 
     Outwards is the side from which the corners a, b, c of a face are seen to
@@ -78,33 +60,32 @@ def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
     Raises
     ------
     ValueError
-        If a face has no area and hence no plane, or vertices are not finite or
-        do not fit the faces.
+        If a face has no area and hence no plane.
 
     Notes
     -----
     For a face with the corners a, b and c,
 
-        n = (b − a)×(c − a) / ‖(b − a)×(c − a)‖,    d = −n·a
+        n = (b − a)×(c − a) / ‖(b − a)×(c − a)‖
+        d = −n·a
 
     The cross product of two sides is at right angles to both, and so to the
     face. Dividing it by its length makes it a unit normal. The corner a is on
     the plane, so n·a + d = 0, which gives d.
     """
-    v, f = checked_mesh(vertices, faces)
-    a, b, c = v[f[:, 0]], v[f[:, 1]], v[f[:, 2]]
+    a, b, c = np.moveaxis(corners_of(vertices, faces), 1, 0)
     normal = np.cross(b - a, c - a)
     length = np.linalg.norm(normal, axis=-1)
-    if np.any(length == 0):
-        raise ValueError(
-            f"faces must have an area: face {np.argmin(length)} has none,"
-            " hence no plane"
-        )
+    flat = length == 0
+    if np.any(flat):
+        face = np.argmax(flat)
+        raise ValueError(f"faces must have an area: face {face} has none")
     normal = normal / length[..., None]
     return normal, -np.vecdot(normal, a)
 
 
-def signed_volume(vertices: ArrayLike, faces: ArrayLike) -> float:
+@domain
+def signed_volume(vertices: Vertices, faces: Faces) -> float:
     """Volume of a closed polyhedron, m³.
 
     Parameters
@@ -116,11 +97,6 @@ def signed_volume(vertices: ArrayLike, faces: ArrayLike) -> float:
     -------
     float, m³
         It is negative where the faces look inwards, and 0 without faces.
-
-    Raises
-    ------
-    ValueError
-        If vertices are not finite or do not fit the faces.
 
     Notes
     -----
@@ -135,16 +111,16 @@ def signed_volume(vertices: ArrayLike, faces: ArrayLike) -> float:
     solid, at least next to the face. The negative volume takes away what the
     other tetrahedra have counted too much there.
     """
-    v, f = checked_mesh(vertices, faces)
-    if not len(f):
+    corners = corners_of(vertices, faces)
+    if not len(corners):
         return 0.0
-    corners = v[f]
     middle = (np.min(corners, axis=(0, 1)) + np.max(corners, axis=(0, 1))) / 2
     a, b, c = np.moveaxis(corners - middle, 1, 0)
     return float(np.sum(np.vecdot(a, np.cross(b, c))) / 6)
 
 
-def mesh_edges(vertices: ArrayLike, faces: ArrayLike) -> Integers:
+@domain
+def mesh_edges(vertices: Vertices, faces: Faces) -> Integers:
     """Every edge of a mesh once.
 
     Parameters
@@ -156,14 +132,22 @@ def mesh_edges(vertices: ArrayLike, faces: ArrayLike) -> Integers:
     -------
     (e, 2), indices of the vertices at its ends, the smaller first
         Without faces, there are no edges: (0, 2).
-
-    Raises
-    ------
-    ValueError
-        If vertices are not finite or do not fit the faces.
     """
-    _, f = checked_mesh(vertices, faces)
-    return np.unique(np.sort(directed_edges(f), axis=1), axis=0)
+    corners_of(vertices, faces)  # refuses faces of vertices not there
+    edges = np.sort(directed_edges(faces), axis=1)
+    return np.unique(edges, axis=0)
+
+
+def corners_of(vertices: Array, faces: Integers) -> Array:
+    """The places of the corners a, b, c of each face, (f, 3, 3).
+
+    A face that names a vertex that is not there is refused.
+    """
+    wrong = (faces < 0) | (faces >= len(vertices))
+    if np.any(wrong):
+        names = f"vertices 0 to {len(vertices) - 1}, not {faces[wrong][0]}"
+        raise ValueError(f"faces must name {names}")
+    return vertices[faces]
 
 
 def directed_edges(faces: Integers) -> Integers:
@@ -172,9 +156,8 @@ def directed_edges(faces: Integers) -> Integers:
     These are a b, b c, c a of the first face, then those of the second, and so
     on.
     """
-    return np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1).reshape(
-        -1, 2
-    )
+    following = np.roll(faces, -1, axis=1)
+    return np.stack([faces, following], axis=-1).reshape(-1, 2)
 
 
 def same_places(vertices: Array, faces: Integers) -> Integers:
@@ -184,7 +167,7 @@ def same_places(vertices: Array, faces: Integers) -> Integers:
     triangles.
     """
     _, place = np.unique(vertices, axis=0, return_inverse=True)
-    return np.asarray(place.reshape(-1)[faces], dtype=np.int64)
+    return place.reshape(-1)[faces]
 
 
 def blocks(count: int, partners: int) -> Iterator[slice]:

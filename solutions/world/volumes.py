@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import finite, not_negative, positive
+from solutions.checks import finite, not_negative, positive, with_shape
 from solutions.polyhedra.inside import winding_number
 from solutions.polyhedra.surface import (
-    checked_mesh,
+    corners_of,
     directed_edges,
+    face_array,
     same_places,
 )
 from solutions.world.shapes import Shape
@@ -100,10 +101,12 @@ def tetrahedra(
         for face in faces
         for side in itertools.pairwise(face[1:])
     ]
-    v, f = checked_mesh(vertices, triangles)
+    v = finite("vertices", with_shape("v", 3)("vertices", vertices))
+    f = face_array("faces", triangles)
+    corners = corners_of(v, f)
     _refuse_open(v, f)
     middle = v.mean(axis=0)
-    corners = (v - middle)[f]
+    corners = corners - middle
     a, b, c = np.moveaxis(corners, 1, 0)
     volumes = np.vecdot(a, np.cross(b, c)) / 6
     positive("volume inside the faces", volumes.sum())

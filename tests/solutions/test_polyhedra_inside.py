@@ -354,7 +354,7 @@ def test_a_distant_vertex_of_no_face_changes_nothing():
         (lambda: inside_by_parity([0, 0], *extruded(OUTLINES["L"])), r"point must have shape"),
         (lambda: winding_number([0, 0, 0], [[0, 0, 0.0]], [[0, 0, 1]]), "faces must name vertices 0 to 0, not 1"),
         (lambda: winding_number([0, 0, 0], [[0, 0, 0.0]], [[0, 0, -1]]), "not -1"),
-        (lambda: winding_number([0, 0, 0], [[0, 0]], [[0, 0, 0]]), "vertices must have the shape"),
+        (lambda: winding_number([0, 0, 0], [[0, 0]], [[0, 0, 0]]), "vertices must have shape"),
         (lambda: winding_number([0, 0, 0], [[0, 0, 0]], [[0, 0]]), "faces must be whole numbers"),
         (lambda: face_planes([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]), "face 0 has none"),
         (lambda: convex_separation([0, 0, 0], np.zeros((3, 3)), np.empty((0, 3), int)), "must not be empty"),

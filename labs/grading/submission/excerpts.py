@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 import re
+import textwrap
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -21,6 +22,7 @@ from reference.errors import InvalidInput
 
 SOLUTIONS = "solutions"
 FOLDER = ROOT / SOLUTIONS
+_WIDTH = 79
 _NOTES = re.compile(r"\n\n {4}Notes\n {4}-----\n(?:(?! {4}\"\"\").*\n)*( {4}\"\"\")")
 
 
@@ -129,7 +131,7 @@ def text_of(excerpts: Collection[Excerpt]) -> str:
 
 
 def imports_of(excerpts: Collection[Excerpt]) -> str:
-    """The imports that these excerpts need of other packages than solutions: one line for each module."""
+    """The imports that these excerpts need of other packages than solutions: for each module one line, or more."""
     wanted = {name for excerpt in excerpts for name in excerpt.uses}
     lines: set[str] = set()
     taken: dict[str, set[str]] = {}
@@ -139,7 +141,10 @@ def imports_of(excerpts: Collection[Excerpt]) -> str:
             taken.setdefault(node.module or "", set()).update(names)
         else:
             lines |= {f"import {name}" for name in names}
-    lines |= {f"from {module} import {', '.join(sorted(names))}" for module, names in taken.items() if names}
+    for module, names in taken.items():
+        beginning = f"from {module} import "
+        several = textwrap.wrap(", ".join(sorted(names)), _WIDTH - len(beginning))
+        lines |= {beginning + some.removesuffix(",") for some in several}
     return "\n".join(sorted(lines, key=lambda line: ("numpy" in line, line)))
 
 

@@ -107,6 +107,7 @@ def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.Symbol
     inner = {name for line in range(first, last + 1) for scope in scopes.get(line, []) for name in _looked_up(scope)}
     outer = {node.id for node in every if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store)}
     outer |= {node.target.id for node in every if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name)}
+    outer |= {name for node in every for name in _read_by_decorators(node)}
     is_dynamic = any(map(_binds_anything, every))
     texts = (node.value for node in every if is_dynamic and isinstance(node, ast.Constant))
     written = {name for text in texts if isinstance(text, str) for name in _WORD.findall(text)}
@@ -124,6 +125,15 @@ def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.Symbol
         is_compound=any(isinstance(each, _COMPOUND) for each in statements),
         is_dynamic=is_dynamic,
     )
+
+
+def _read_by_decorators(node: ast.AST) -> Iterator[str]:
+    """The names in the type hints of a decorated function: its decorator may look them up, as `domain` does."""
+    if isinstance(node, ast.FunctionDef) and node.decorator_list:
+        given = node.args
+        arguments = [*given.posonlyargs, *given.args, *given.kwonlyargs, given.vararg, given.kwarg]
+        for hint in (node.returns, *(each.annotation for each in arguments if each)):
+            yield from (each.id for each in (ast.walk(hint) if hint else ()) if isinstance(each, ast.Name))
 
 
 def _first(statement: ast.stmt) -> int:

@@ -63,7 +63,7 @@ def test_a_stub_has_its_signature_and_contract_and_raises(lesson):
     (stub,) = (source for source in found if source.startswith("def signed_distance("))
     described = ast.get_docstring(ast.parse(stub).body[0]) or ""
     assert "n·p + d = 0" in described
-    assert "Raises" in described
+    assert "Parameters" in described
     assert "Notes" not in described
     assert "".join(stub[stub.index("raise") :].split()) == (
         'raiseNotImplementedError("detection,step1:signed_distanceisyourstowrite")'
@@ -109,8 +109,14 @@ def test_stub_is_the_solutions_own_header_and_docstring_without_notes(topic):
         stub = notebooks.stub(excerpts, entry.name).split("\n")
         (whole,) = (each.text.split("\n") for each in excerpts.every if entry.name in each.defines)
         (function,) = (node for node in ast.parse("\n".join(whole)).body if isinstance(node, ast.FunctionDef))
+        (header,) = (node for node in ast.parse("\n".join(stub)).body if isinstance(node, ast.FunctionDef))
+        names = [argument.arg for argument in function.args.args]
+        assert [argument.arg for argument in header.args.args] == names
+        assert "@" not in stub[0]
+        whole, stub = (lines[node.body[0].lineno - 1 :] for lines, node in ((whole, function), (stub, header)))
         end = next((at for at, line in enumerate(whole) if line == "    Notes"), 0)
-        end = end - 1 if end else (function.body[0].end_lineno or 0) - 1
+        closed = (function.body[0].end_lineno or 0) - function.body[0].lineno
+        end = end - 1 if end else closed
         assert ast.get_docstring(function)
         widest = notebooks.WIDTH if topic in lessons.lessons() else 88  # a topic is narrowed with its lesson
         assert max(map(len, stub)) <= widest
@@ -158,7 +164,7 @@ def test_the_same_lesson_makes_the_same_bytes(lesson):
         (HEAD.replace("kinematic_response", "kinematic_respons") + WRITES, "Did you mean"),
         (HEAD.replace("finite not", "finite side_of_plane not") + WRITES, "gives finite side_of_plane"),
         (HEAD.replace("finite not", "finit not") + WRITES, "define no 'finit'"),
-        (HEAD + WRITES + "\n```python\nreturn np.asarray((np.vecdot(normal, point) + offset) / length)\n```\n", "line"),
+        (HEAD + WRITES + "\n```python\nreturn (np.vecdot(normal, point) + offset) / length\n```\n", "line"),
     ],
 )
 def test_a_lesson_that_does_not_fit_is_refused_by_name(lesson, text, said):

@@ -40,10 +40,6 @@ def _named(_name: str, value: Any) -> Any:
     return np.asarray(value, dtype=float)
 
 
-def _mesh(vertices: Any, faces: Any) -> tuple[Any, Any]:
-    return np.asarray(vertices, dtype=float), np.asarray(faces, dtype=int)
-
-
 def _springs(mesh: Any) -> SpringMesh:
     return SpringMesh(np.asarray(mesh[0], dtype=int), *_floats(*mesh[1:5]), np.asarray(mesh[5], dtype=bool))
 
@@ -54,10 +50,6 @@ def _edges(edges: Any, _nodes: int) -> Any:
 
 def _vectors(_mesh: Any, _name: str, value: Any) -> Any:
     return np.asarray(value, dtype=float)
-
-
-def _points(_size: int, **named: Any) -> Any:
-    return np.stack(np.broadcast_arrays(*_floats(*named.values())))
 
 
 CHECKS = dict.fromkeys(
@@ -77,7 +69,7 @@ CHECKS = dict.fromkeys(
         "_one_vector",
     ),
     _named,
-) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
+) | {"checked": lambda body: _floats(*body), "_checked": _floats}
 CHECKS |= {"as_mesh": _springs, "checked_edges": _edges, "node_vectors": _vectors}
 """What stands for the checks of what enters: they turn lists into arrays."""
 OF_A_WORLD = ("candidate_pairs", "collect_contacts", "resting_problem", "solve_by_sweeps", "respond",

@@ -107,3 +107,19 @@ def mean_force(normal_velocity): return normal_velocity
     submission = read(tmp_path / "lab.py", (*WANTED, "collide", "mean_force"))
     assert submission.uses("collide") == ["rebound_velocity", "normal_velocity"]
     assert submission.uses("mean_force") == [], "a parameter of that name is no function"
+
+
+def test_what_a_decorator_may_look_up_in_type_hints_is_kept(tmp_path):
+    source = """
+from __future__ import annotations
+from typing import get_type_hints
+Speed = float
+def described(function):
+    def wrapped(*given):
+        return function(*given) if get_type_hints(function) else None
+    return wrapped
+@described
+def rebound_velocity(v: Speed, e: Speed) -> Speed: return -e * v
+"""
+    submission = handed_in(tmp_path, source, "lab.py")
+    assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
