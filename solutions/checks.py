@@ -5,6 +5,8 @@ The message of the error names the argument and the first value that is wrong.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -100,6 +102,31 @@ def of_shape(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise ValueError(
             f"{name} must have the shape {shape}, or one that fits it, not {array.shape}"
         ) from None
+
+
+def with_shape(*form: object) -> Callable[[str, ArrayLike], Array]:
+    """A check that returns arrays of one shape, and refuses others.
+
+    The shape is written as in a docstring, such as `..., 2` or `"n", 3`. A
+    name, such as "n", is any length.
+    """
+    words = ", ".join("..." if part is ... else str(part) for part in form)
+    words += "," * (len(form) == 1)
+    axes = [part for part in form if part is not ...]
+
+    def check(name: str, value: ArrayLike) -> Array:
+        array = real(name, value)
+        last = array.shape[-len(axes) :] if ... in form else array.shape
+        fits = len(last) == len(axes) and all(
+            isinstance(axis, str) or axis == length
+            for axis, length in zip(axes, last, strict=True)
+        )
+        if not fits:
+            shape = array.shape
+            raise ValueError(f"{name} must have shape ({words}), not {shape}")
+        return array
+
+    return check
 
 
 def truth(name: str, value: ArrayLike) -> Booleans:
