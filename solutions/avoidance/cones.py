@@ -29,9 +29,12 @@ def orca_half_plane(
 ) -> tuple[Array, Array]:
     """Half-plane of velocities with which disc A does its half of avoiding B.
 
-    This goes beyond slide 1. A velocity v of disc A is permitted if (v −
-    point)·normal ≥ 0. If A and B both choose permitted velocities and keep
-    them, discs that are apart do not collide within the horizon.
+    This goes beyond slide 1. A velocity v of disc A is permitted if
+
+        (v − point)·normal ≥ 0
+
+    If A and B both choose permitted velocities and keep them, discs that are
+    apart do not collide within the horizon.
 
     The relative velocities v_A − v_B that lead to a collision within the
     horizon fill a cone towards B, whose near end is round. The vector c leads

@@ -149,9 +149,11 @@ def _first_contact(
     features. The function also returns which pairs are undecided, and the
     shape of the arguments.
     """
-    start, end = np.broadcast_arrays(start, end)
-    of_tolerance = () if tolerance is None else tolerance.shape
-    shape = np.broadcast_shapes(start.shape[:-2], of_tolerance)
+    shape = np.broadcast_shapes(
+        start.shape[:-2],
+        end.shape[:-2],
+        () if tolerance is None else tolerance.shape,
+    )
     near = touching(
         tolerance,
         shape,

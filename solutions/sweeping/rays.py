@@ -103,17 +103,17 @@ def ray_capsule(
     first of these three times.
     """
     along = end - start
-    x, u = origin - start, direction
     squared = np.vecdot(along, along)
-    place = quotient(np.vecdot(x, along), squared)
-    rate = quotient(np.vecdot(u, along), squared)
-    x_across = x - place[..., None] * along
-    u_across = u - rate[..., None] * along
+    from_start, from_end = origin - start, origin - end
+    place = quotient(np.vecdot(from_start, along), squared)
+    rate = quotient(np.vecdot(direction, along), squared)
+    x_across = from_start - place[..., None] * along
+    u_across = direction - rate[..., None] * along
     side = ray_sphere(x_across, u_across, radius)
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
     side = np.where((there >= 0) & (there <= 1), side, np.inf)
-    first_end = ray_sphere(x, u, radius)
-    second_end = ray_sphere(origin - end, u, radius)
+    first_end = ray_sphere(from_start, direction, radius)
+    second_end = ray_sphere(from_end, direction, radius)
     return np.minimum(side, np.minimum(first_end, second_end))
 
 
@@ -160,13 +160,11 @@ def time_between(
 
     They are infinity and −infinity where it never holds.
     """
-    moves = rate != 0
-    speed = np.where(moves, np.abs(rate), 1.0)
     middle = -place * np.sign(rate)
     sign = np.where(np.abs(place) <= half, 1.0, -1.0)
-    first, last = (middle - half) / speed, (middle + half) / speed
-    first = np.where(moves, first, -sign * np.inf)
-    return first, np.where(moves, last, sign * np.inf)
+    first = quotient(middle - half, np.abs(rate), -sign * np.inf)
+    last = quotient(middle + half, np.abs(rate), sign * np.inf)
+    return first, last
 
 
 def in_all(first: Array, last: Array) -> tuple[Array, Array]:

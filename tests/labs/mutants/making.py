@@ -71,10 +71,6 @@ CHECKS = dict.fromkeys(
         "vector",
         "matrix",
         "in_space",
-        "in_plane",
-        "extent",
-        "_one_hull",
-        "_one_vector",
     ),
     _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
