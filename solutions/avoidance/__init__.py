@@ -1,4 +1,15 @@
-"""Avoiding a collision: fields, steering, flocks and crowds (slide 1)."""
+"""Avoiding a collision (slide 1): "force fields, steer to avoid, … flocking".
+
+steering     the force with which a body steers to or from a target
+fields       the force of a field around an obstacle
+obstacles    a way around a sphere, by its tangent point
+approach     when two moving spheres are nearest, and how near
+flock        the three rules of a flock, and its step
+neighbours   who is near whom, found without looking at all pairs
+cones        the half-plane of velocities with which a disc avoids another
+half_planes  the velocity nearest to a preferred one that half-planes permit
+orca         the step of a crowd of discs
+"""
 
 from solutions.avoidance.approach import nearest_approach
 from solutions.avoidance.cones import cap_of_cone, orca_half_plane

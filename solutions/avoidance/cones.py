@@ -8,28 +8,33 @@ plane, (..., 2).
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
-from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
-from solutions.checks import not_negative, positive
+from solutions.avoidance.directions import turned_left
+from solutions.avoidance.domain import Planar
+from solutions.domain import NotNegative, Positive, domain
+from solutions.vectors import direction, quotient
 
 
+@domain
 def orca_half_plane(
-    position_a: ArrayLike,
-    velocity_a: ArrayLike,
-    radius_a: ArrayLike,
-    position_b: ArrayLike,
-    velocity_b: ArrayLike,
-    radius_b: ArrayLike,
-    horizon: ArrayLike,
-    dt: ArrayLike,
+    position_a: Planar,
+    velocity_a: Planar,
+    radius_a: NotNegative,
+    position_b: Planar,
+    velocity_b: Planar,
+    radius_b: NotNegative,
+    horizon: Positive,
+    dt: Positive,
 ) -> tuple[Array, Array]:
     """Half-plane of velocities with which disc A does its half of avoiding B.
 
-    This goes beyond slide 1. A velocity v of disc A is permitted if (v −
-    point)·normal ≥ 0. If A and B both choose permitted velocities and keep
-    them, discs that are apart do not collide within the horizon.
+    This goes beyond slide 1. A velocity v of disc A is permitted if
+
+        (v − point)·normal ≥ 0
+
+    If A and B both choose permitted velocities and keep them, discs that are
+    apart do not collide within the horizon.
 
     The relative velocities v_A − v_B that lead to a collision within the
     horizon fill a cone towards B, whose near end is round. The vector c leads
@@ -55,20 +60,19 @@ def orca_half_plane(
         It points out of the cone. Where both sides of the cone are equally
         near, each disc turns to its right.
 
-    Raises
-    ------
-    ValueError
-        If a radius is negative, a horizon or step is not positive, or a vector
-        is not finite or does not have two components.
-
     Notes
     -----
-    Let x = p_B − p_A, R = r_A + r_B and u = v_A − v_B. The discs meet at the
-    time t if u t lies within the distance R of x, that is, if u lies in the
-    disc of radius R/t about x/t. For all times up to the horizon τ, these
-    discs together fill a cone towards B, which is cut off by the disc of
-    radius R/τ about x/τ. A relative velocity inside this obstacle leads to a
-    collision within the horizon.
+    Let
+
+        x = p_B − p_A
+        R = r_A + r_B
+        u = v_A − v_B
+
+    The discs meet at the time t if u t lies within the distance R of x, that
+    is, if u lies in the disc of radius R/t about x/t. For all times up to the
+    horizon τ, these discs together fill a cone towards B, which is cut off by
+    the disc of radius R/τ about x/τ. A relative velocity inside this obstacle
+    leads to a collision within the horizon.
 
     Let c be the vector from u to the nearest point of the border of the
     obstacle, and n the outward normal there. If u changes by c, the discs just
@@ -79,41 +83,38 @@ def orca_half_plane(
 
     A side of the cone touches all these discs, and half the angle of the cone
     has the sine R/L, with L = ‖x‖. So the outward normal of a side has the
-    component −R/L along x and ±√(L² − R²)/L across it, and the change from u
-    to this side is c = −(u·n) n, because the side passes through zero.
+    component −R/L along x and ±√(L² − R²)/L across it. Because the side passes
+    through zero, the change from u to it is
+
+        c = −(u·n) n
 
     For discs that already touch or overlap there is no cone, only the disc,
     with dt instead of τ. Where such discs have the same centre, nothing
-    distinguishes A from B, and a caller who also needs the half-plane of B
-    must reverse the normal, as `crowd_step` does.
+    distinguishes A from B. A caller who also needs the half-plane of B must
+    then reverse the normal, as `crowd_step` does.
     """
-    v = in_plane("velocity_a", velocity_a)
-    u = v - in_plane("velocity_b", velocity_b)
-    towards = in_plane("position_b", position_b) - in_plane(
-        "position_a", position_a
-    )
-    reach = not_negative("radius_a", radius_a) + not_negative(
-        "radius_b", radius_b
-    )
-    capped, depth, outwards = cap_of_cone(u, towards, reach, horizon, dt)
-    distance = np.linalg.norm(towards, axis=-1)
-    ahead = towards / np.where(distance > 0, distance, 1.0)[..., None]
+    u = velocity_a - velocity_b
+    x = position_b - position_a
+    reach = radius_a + radius_b
+    capped, depth, outwards = cap_of_cone(u, x, reach, horizon, dt)
+    ahead = direction(x)
     left = turned_left(ahead)
-    sine = np.where(capped, 0.0, reach) / np.where(distance > 0, distance, 1.0)
+    sine = quotient(np.where(capped, 0.0, reach), np.linalg.norm(x, axis=-1))
     cosine = np.sqrt((1 - sine) * (1 + sine))
     side = np.where(np.vecdot(u, left) > 0, 1.0, -1.0)
     leg = (side * cosine)[..., None] * left - sine[..., None] * ahead
     normal = np.where(capped[..., None], outwards, leg)
     change = np.where(capped, depth, -np.vecdot(u, leg))
-    return v + change[..., None] / 2 * normal, normal
+    return velocity_a + change[..., None] / 2 * normal, normal
 
 
+@domain
 def cap_of_cone(
-    relative_velocity: ArrayLike,
-    towards: ArrayLike,
-    reach: ArrayLike,
-    horizon: ArrayLike,
-    dt: ArrayLike,
+    relative_velocity: Planar,
+    towards: Planar,
+    reach: NotNegative,
+    horizon: Positive,
+    dt: Positive,
 ) -> tuple[Booleans, Array, Array]:
     """The round end of the cone of velocities that lead to a collision.
 
@@ -122,9 +123,9 @@ def cap_of_cone(
 
     Parameters
     ----------
-    relative_velocity : (..., 2), v_A − v_B, m/s
-    towards : (..., 2), from the centre of A to that of B, m
-    reach : (...), sum of the radii, m, not negative
+    relative_velocity : (..., 2), u = v_A − v_B, m/s
+    towards : (..., 2), x, from the centre of A to that of B, m
+    reach : (...), R, the sum of the radii, m, not negative
     horizon, dt : (...), s, positive
         For discs that touch or overlap, dt takes the place of the horizon.
 
@@ -139,23 +140,19 @@ def cap_of_cone(
         At the centre of the disc it points away from B, or along +x where the
         centres of A and B coincide.
     """
-    u, x = np.asarray(relative_velocity), np.asarray(towards)
-    distance, radius = np.linalg.norm(x, axis=-1), np.asarray(reach, float)
-    overlaps = distance <= radius
-    time = np.where(overlaps, positive("dt", dt), positive("horizon", horizon))
-    ahead = x / np.where(distance > 0, distance, 1.0)[..., None]
-    from_centre = u - x / time[..., None]
+    distance = np.linalg.norm(towards, axis=-1)
+    overlaps = distance <= reach
+    time = np.where(overlaps, dt, horizon)
+    ahead = direction(towards)
+    from_centre = relative_velocity - towards / time[..., None]
     length = np.linalg.norm(from_centre, axis=-1)
-    sine = np.minimum(radius / np.where(distance > 0, distance, 1.0), 1.0)
+    sine = np.minimum(quotient(reach, distance), 1.0)
     before = -np.vecdot(from_centre, ahead)
-    at_centre = np.where(
-        np.any(ahead != 0, axis=-1, keepdims=True),
-        -ahead,
-        np.array([1.0, 0.0]),
-    )
-    normal = np.where(
-        np.any(from_centre != 0, axis=-1, keepdims=True),
-        unit_or_zero(from_centre),
-        at_centre,
-    )
-    return overlaps | (before > sine * length), radius / time - length, normal
+    # The sides of the cone begin where they touch the disc.
+    capped = overlaps | (before > sine * length)
+    has_side = np.any(ahead != 0, axis=-1, keepdims=True)
+    at_centre = np.where(has_side, -ahead, np.array([1.0, 0.0]))
+    outwards = direction(from_centre)
+    off_centre = np.any(outwards != 0, axis=-1, keepdims=True)
+    normal = np.where(off_centre, outwards, at_centre)
+    return capped, reach / time - length, normal

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from solutions.arrays import Array
+from solutions.arrays import Array, Integers
 from solutions.avoidance.directions import limited
+from solutions.avoidance.domain import (
+    Flock,
+    Indices,
+    OneNotNegative,
+    OnePositive,
+)
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.checks import not_negative, positive
+from solutions.domain import Number, domain, require
+from solutions.vectors import quotient
 
 
-def separation(
-    position: ArrayLike, first: ArrayLike, second: ArrayLike
-) -> Array:
+@domain
+def separation(position: Number, first: Indices, second: Indices) -> Array:
     """Push away from the neighbours, most of all from the near ones (slide 1).
 
     Each neighbour adds a push that points away from it and whose size is one
@@ -39,20 +44,14 @@ def separation(
     What i feels from j is the opposite of what j feels from i. Over the whole
     flock the pushes therefore add up to zero.
     """
-    p, i, j = (
-        np.asarray(position, dtype=float),
-        np.asarray(first),
-        np.asarray(second),
-    )
-    apart = p[i] - p[j]
+    apart = position[first] - position[second]
     squared = np.sum(apart * apart, axis=-1, keepdims=True)
-    push = apart / np.where(squared > 0, squared, 1.0)
-    return _sum_over_neighbours(len(p), i, j, push, -push)
+    push = quotient(apart, squared)
+    return _sum_over_neighbours(len(position), first, second, push, -push)
 
 
-def towards_mean(
-    value: ArrayLike, first: ArrayLike, second: ArrayLike
-) -> Array:
+@domain
+def towards_mean(value: Number, first: Indices, second: Indices) -> Array:
     """Mean of the neighbours' values minus the own value (slide 1).
 
     Of the velocities it is *alignment*, and of the positions it is *cohesion*.
@@ -74,25 +73,22 @@ def towards_mean(
     value. A sum of differences keeps its digits far from the origin, where a
     mean of positions loses them.
     """
-    x, i, j = (
-        np.asarray(value, dtype=float),
-        np.asarray(first),
-        np.asarray(second),
-    )
-    towards = x[j] - x[i]
-    total = _sum_over_neighbours(len(x), i, j, towards, -towards)
-    count = np.bincount(i, minlength=len(x)) + np.bincount(j, minlength=len(x))
-    return np.asarray(total / np.maximum(count, 1)[:, None])
+    n = len(value)
+    towards = value[second] - value[first]
+    total = _sum_over_neighbours(n, first, second, towards, -towards)
+    count = np.bincount(first, minlength=n) + np.bincount(second, minlength=n)
+    return total / np.maximum(count, 1)[:, None]
 
 
+@domain
 def flock_step(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    dt: float,
-    radius: float,
+    position: Flock,
+    velocity: Number,
+    dt: OnePositive,
+    radius: OnePositive,
     weights: tuple[float, float, float],
-    max_speed: float,
-    max_acceleration: float,
+    max_speed: OneNotNegative,
+    max_acceleration: OneNotNegative,
 ) -> tuple[Array, Array]:
     """State of a flock after one step of semi-implicit Euler (slide 1).
 
@@ -103,10 +99,13 @@ def flock_step(
     Parameters
     ----------
     position, velocity : (n, d), m, m/s, d = 2 or 3
-    dt : s, positive
-    radius : m, positive, the distance up to which a boid sees others
-    weights : of separation, m²/s², of alignment, 1/s, and of cohesion, 1/s²
-    max_speed, max_acceleration : m/s, m/s², not negative
+    dt : one number, s, positive
+    radius : one number, m, positive
+        It is the distance up to which a boid sees others.
+    weights : three numbers
+        They are w_s of separation, in m²/s², w_a of alignment, in 1/s, and w_c
+        of cohesion, in 1/s².
+    max_speed, max_acceleration : one number, m/s, m/s², not negative
 
     Returns
     -------
@@ -115,48 +114,38 @@ def flock_step(
     Raises
     ------
     ValueError
-        If the step or the radius is not positive, a limit is negative, a
-        position is not finite, or the shapes do not fit.
+        If position and velocity do not have the same shape.
 
     Notes
     -----
     With the weights w_s, w_a, w_c and the limits a_max and v_max, the step is
 
         a = w_s separation + w_a alignment + w_c cohesion, shortened to a_max
-        v' = v + a dt, shortened to v_max;    p' = p + v' dt
+        v' = v + a dt, shortened to v_max
+        p' = p + v' dt
 
     Separation is in 1/m, alignment in m/s and cohesion in m. The units of the
     weights turn each of them into an acceleration.
     """
-    p, v, dt = (
-        np.asarray(position, dtype=float),
-        np.asarray(velocity, dtype=float),
-        float(positive("dt", dt)),
+    of_positions, shape = position.shape, velocity.shape
+    shapes = f"the shape {of_positions} of the positions, not {shape}"
+    require(shape == of_positions, f"velocity must have {shapes}")
+    pairs = neighbour_pairs(position, radius)
+    w_s, w_a, w_c = weights
+    a = (
+        w_s * separation(position, *pairs)
+        + w_a * towards_mean(velocity, *pairs)
+        + w_c * towards_mean(position, *pairs)
     )
-    max_speed = float(not_negative("max_speed", max_speed))
-    max_acceleration = float(
-        not_negative("max_acceleration", max_acceleration)
-    )
-    if v.shape != p.shape:
-        raise ValueError(
-            f"velocity must have the shape {p.shape} of the positions,"
-            f" not {v.shape}"
-        )
-    pairs = neighbour_pairs(p, radius)
-    apart, along, together = weights
-    wanted = (
-        apart * separation(p, *pairs)
-        + along * towards_mean(v, *pairs)
-        + together * towards_mean(p, *pairs)
-    )
-    v = limited(v + limited(wanted, max_acceleration) * dt, max_speed)
-    return p + v * dt, v
+    v = velocity + limited(a, max_acceleration) * dt
+    v = limited(v, max_speed)
+    return position + v * dt, v
 
 
 def _sum_over_neighbours(
-    n: int, i: Array, j: Array, on_i: Array, on_j: Array
+    n: int, i: Integers, j: Integers, on_i: Array, on_j: Array
 ) -> Array:
+    """Sum (n, d) of what each pair (i, j) adds to i and to j."""
     axes = zip(on_i.T, on_j.T, strict=True)
-    return np.stack(
-        [np.bincount(i, a, n) + np.bincount(j, b, n) for a, b in axes], axis=-1
-    )
+    sums = [np.bincount(i, a, n) + np.bincount(j, b, n) for a, b in axes]
+    return np.stack(sums, axis=-1)

@@ -12,16 +12,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.avoidance.directions import (
-    in_plane,
-    limited,
-    turned_left,
-    unit_or_zero,
-)
-from solutions.checks import UNIT_TOLERANCE, not_negative
+from solutions.avoidance.directions import limited, turned_left
+from solutions.avoidance.domain import Planar, PlanarNormal
+from solutions.domain import NotNegative, domain
+from solutions.vectors import quotient
 
 PARALLEL = 1e-12
 """Sine of the angle below which two borders count as parallel.
@@ -30,11 +26,12 @@ The crossing point of such borders has no correct digits left.
 """
 
 
+@domain
 def permitted_velocity(
-    preferred: ArrayLike,
-    max_speed: ArrayLike,
-    point: ArrayLike,
-    normal: ArrayLike,
+    preferred: Planar,
+    max_speed: NotNegative,
+    point: Planar,
+    normal: PlanarNormal,
 ) -> Array:
     """Velocity nearest to the preferred one that all limits permit.
 
@@ -58,18 +55,13 @@ def permitted_velocity(
         Borders that enclose an angle whose sine is below 1e-12 count as
         parallel.
 
-    Raises
-    ------
-    ValueError
-        If a speed is negative, a normal has neither length 1 nor length 0, or
-        a vector is not finite or does not have two components.
-
     Notes
     -----
     The function solves the programme
 
         minimise ‖v − v_preferred‖
-        with (v − point_k)·n_k ≥ 0 for all k, and ‖v‖ ≤ v_max
+        with (v − point_k)·n_k ≥ 0 for all k
+        and ‖v‖ ≤ v_max
 
     It starts with the preferred velocity, shortened to v_max, and takes the
     half-planes one after the other. If the velocity so far keeps to the next
@@ -85,39 +77,22 @@ def permitted_velocity(
     function then minimises the worst violation, again with one half-plane
     after the other.
     """
-    n, speed = _normals(normal), not_negative("max_speed", max_speed)
-    bound = np.sum(n * in_plane("point", point), axis=-1)
-    wish = in_plane("preferred", preferred)
-    shape, m = (
-        np.broadcast_shapes(wish.shape[:-1], speed.shape, bound.shape[:-1]),
-        bound.shape[-1],
+    bound = np.sum(normal * point, axis=-1)
+    m = bound.shape[-1]
+    shape = np.broadcast_shapes(
+        preferred.shape[:-1], max_speed.shape, bound.shape[:-1]
     )
     rows = math.prod(shape)
-    wish, speed = (
-        np.broadcast_to(wish, (*shape, 2)).reshape(rows, 2),
-        np.broadcast_to(speed, shape).reshape(rows),
-    )
-    n, bound = (
-        np.broadcast_to(n, (*shape, m, 2)).reshape(rows, m, 2),
-        np.broadcast_to(bound, (*shape, m)).reshape(rows, m),
-    )
+    wish = np.broadcast_to(preferred, (*shape, 2)).reshape(rows, 2)
+    speed = np.broadcast_to(max_speed, shape).reshape(rows)
+    n = np.broadcast_to(normal, (*shape, m, 2)).reshape(rows, m, 2)
+    bound = np.broadcast_to(bound, (*shape, m)).reshape(rows, m)
     v, failed = _nearest(wish, speed, n, bound)
     lost = np.flatnonzero(failed < m)
     v[lost] = _least_broken(
         v[lost], speed[lost], n[lost], bound[lost], failed[lost]
     )
     return v.reshape(*shape, 2)
-
-
-def _normals(normal: ArrayLike) -> Array:
-    n = in_plane("normal", normal)
-    length = np.linalg.norm(n, axis=-1)
-    wrong = (np.abs(length - 1) > UNIT_TOLERANCE) & (length != 0)
-    if np.any(wrong):
-        raise ValueError(
-            f"normal must have length 1 or 0, not {length[wrong][0]:g}"
-        )
-    return n
 
 
 def _nearest(
@@ -133,9 +108,8 @@ def _nearest(
     v = wish * speed[:, None] if far else limited(wish, speed)
     failed = np.full(len(wish), m)
     for k in range(m):
-        broken = np.flatnonzero(
-            (np.sum(normal[:, k] * v, axis=-1) < bound[:, k]) & (failed == m)
-        )
+        beyond = np.sum(normal[:, k] * v, axis=-1) < bound[:, k]
+        broken = np.flatnonzero(beyond & (failed == m))
         if len(broken) == 0:
             continue
         along = turned_left(normal[broken, k])
@@ -145,10 +119,9 @@ def _nearest(
         goal = np.sum(wish[broken] * along, axis=-1)
         place = np.clip(np.copysign(np.inf, goal) if far else goal, low, high)
         kept = low <= high
-        rows, along, place = broken[kept], along[kept], place[kept]
-        v[rows] = (
-            normal[rows, k] * bound[rows, k, None] + along * place[:, None]
-        )
+        rows = broken[kept]
+        foot = normal[rows, k] * bound[rows, k, None]
+        v[rows] = foot + along[kept] * place[kept, None]
         failed[broken[~kept]] = k
     return v, failed
 
@@ -164,9 +137,9 @@ def _stretch(
     """
     before, b = normal[:, :k], bound[:, k, None]
     slope = np.sum(before * along[:, None], axis=-1)
-    asked = bound[:, :k] - b * np.sum(before * normal[:, k, None], axis=-1)
+    least = bound[:, :k] - b * np.sum(before * normal[:, k, None], axis=-1)
     parallel = np.abs(slope) <= PARALLEL
-    place = asked / np.where(parallel, 1.0, slope)
+    place = least / np.where(parallel, 1.0, slope)
     own = bound[:, k]
     # The room is √(speed² − b²). Beyond the speed limit there is none.
     squared = (speed - own) * (speed + own)
@@ -175,10 +148,10 @@ def _stretch(
     high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
     # A parallel border counts only if it lies beyond this one by more than
     # rounding. A half-plane that is given twice must not exclude itself.
-    too_far = parallel & (asked > PARALLEL * (speed[:, None] + np.abs(b)))
-    return np.maximum(low, -half), np.where(
-        np.any(too_far, axis=-1), -np.inf, np.minimum(high, half)
-    )
+    too_far = parallel & (least > PARALLEL * (speed[:, None] + np.abs(b)))
+    nothing_left = np.any(too_far, axis=-1)
+    high = np.where(nothing_left, -np.inf, np.minimum(high, half))
+    return np.maximum(low, -half), high
 
 
 def _least_broken(
@@ -189,8 +162,11 @@ def _least_broken(
     It starts from a velocity that keeps to all half-planes before `failed`,
     and takes half-plane k in turn. Where k is broken worse than any before it,
     the velocity goes as far along the normal of k as it can while k remains
-    the worst. The condition that j is not broken worse than k, b_j − n_j·v ≤
-    b_k − n_k·v, is a half-plane too: its normal is n_j − n_k.
+    the worst. The condition that j is not broken worse than k,
+
+        b_j − n_j·v ≤ b_k − n_k·v
+
+    is a half-plane too: its normal is n_j − n_k.
     """
     worst = np.zeros(len(v))
     for k in range(normal.shape[1]):
@@ -198,18 +174,13 @@ def _least_broken(
         rows = np.flatnonzero((k >= failed) & (violation > worst))
         difference = normal[rows, :k] - normal[rows, k, None]
         size = np.linalg.norm(difference, axis=-1)
-        same = size <= PARALLEL
-        bounds = np.where(
-            same,
-            0.0,
-            (bound[rows, :k] - bound[rows, k, None])
-            / np.where(same, 1.0, size),
-        )
-        normals = np.where(same[..., None], 0.0, unit_or_zero(difference))
-        found, stuck = _nearest(
+        size = np.where(size > PARALLEL, size, 0.0)  # 0: permits everything
+        normals = quotient(difference, size[..., None])
+        bounds = quotient(bound[rows, :k] - bound[rows, k, None], size)
+        farthest, stuck = _nearest(
             normal[rows, k], speed[rows], normals, bounds, far=True
         )
-        v[rows] = np.where((stuck == k)[:, None], found, v[rows])
+        v[rows] = np.where((stuck == k)[:, None], farthest, v[rows])
         worst[rows] = bound[rows, k] - np.sum(
             normal[rows, k] * v[rows], axis=-1
         )

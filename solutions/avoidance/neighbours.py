@@ -9,16 +9,18 @@ import math
 from itertools import product
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import finite, positive
+from solutions.avoidance.domain import Flock, OnePositive
+from solutions.domain import domain, require
 
 EPSILON = float(np.finfo(float).eps)
+LARGEST = np.iinfo(np.int64).max
 
 
+@domain
 def neighbour_pairs(
-    position: ArrayLike, radius: float
+    position: Flock, radius: OnePositive
 ) -> tuple[Integers, Integers]:
     """All pairs of points no further apart than a radius, each once (slide 1).
 
@@ -27,19 +29,18 @@ def neighbour_pairs(
     Parameters
     ----------
     position : (n, d), m, d = 2 or 3
-    radius : m, positive
+    radius : one number, m, positive
 
     Returns
     -------
-    first, second : (pairs,) each, indices with first < second, in ascending
-    order
+    first, second : (pairs,) each, indices
+        They are in ascending order, and first < second.
 
     Raises
     ------
     ValueError
-        If positions are not finite or not (n, 2) or (n, 3), if the radius is
-        not positive, or if there are too many points to number the cells. A
-        million points may be spread out in space in any way.
+        If there are too many points to number the cells. A million points may
+        be spread out in space in any way.
 
     Notes
     -----
@@ -52,47 +53,25 @@ def neighbour_pairs(
     stretch of the sorted points. The function looks at only half of the rows
     around a cell. The other half is covered when the cells there look back.
     """
-    p, reach = _points(position), float(positive("radius", radius))
-    key, rows_ahead = _cells(p, reach)
+    key, rows_ahead = _cells(position, radius)
     order = np.argsort(key, kind="stable")
-    key, p = key[order], p[order]
-    found = [
-        _near(
-            p,
-            reach,
-            np.arange(1, len(p) + 1),
-            np.searchsorted(key, key + 1, "right"),
-        )
-    ]
+    key, p = key[order], position[order]
+    next_one = np.arange(1, len(p) + 1)
+    stop = np.searchsorted(key, key + 1, "right")
+    near = [_near(p, radius, next_one, stop)]
     for ahead in rows_ahead:
-        there = key + ahead
-        found.append(
-            _near(
-                p,
-                reach,
-                np.searchsorted(key, there - 1),
-                np.searchsorted(key, there + 1, "right"),
-            )
-        )
+        start = np.searchsorted(key, key + ahead - 1)
+        stop = np.searchsorted(key, key + ahead + 1, "right")
+        near.append(_near(p, radius, start, stop))
     one, other = (
-        order[np.concatenate(side)] for side in zip(*found, strict=True)
+        order[np.concatenate(ends)] for ends in zip(*near, strict=True)
     )
-    ascending = np.sort(
-        np.minimum(one, other) * len(p) + np.maximum(one, other)
-    )
+    first, second = np.minimum(one, other), np.maximum(one, other)
+    ascending = np.sort(first * len(p) + second)
     return np.divmod(ascending, max(len(p), 1))
 
 
-def _points(position: ArrayLike) -> Array:
-    p = np.asarray(position, dtype=float)
-    if p.ndim != 2 or p.shape[1] not in (2, 3):
-        raise ValueError(
-            f"position must have the shape (n, 2) or (n, 3), not {p.shape}"
-        )
-    return finite("position", p)
-
-
-def _cells(p: Array, radius: float) -> tuple[Integers, list[int]]:
+def _cells(p: Array, radius: Array) -> tuple[Integers, list[int]]:
     """Number of each point's cell, and the steps to the rows that lie ahead.
 
     A step is added to the number of a cell, and rows ahead have higher
@@ -103,18 +82,12 @@ def _cells(p: Array, radius: float) -> tuple[Integers, list[int]]:
     place = np.stack([_closed_up(np.floor(axis / size)) for axis in p.T])
     # There is an empty cell at either end, so that no row touches the next.
     width = [int(axis.max(initial=0)) + 2 for axis in place]
-    if math.prod(width) > np.iinfo(np.int64).max:
-        raise ValueError(
-            f"position must have fewer points so widely spread, not {len(p)}"
-        )
+    too_many = f"fewer points so widely spread, not {len(p)}"
+    require(math.prod(width) <= LARGEST, f"position must have {too_many}")
     stride = [math.prod(width[axis + 1 :]) for axis in range(len(width))]
-    around = (
-        sum(np.multiply(step, stride[:-1]))
-        for step in product((-1, 0, 1), repeat=len(width) - 1)
-    )
-    return np.asarray(stride) @ place, [
-        int(ahead) for ahead in around if ahead > 0
-    ]
+    around = product((-1, 0, 1), repeat=len(width) - 1)
+    ahead = [int(np.dot(rows, stride[:-1])) for rows in around]
+    return np.array(stride) @ place, [step for step in ahead if step > 0]
 
 
 def _closed_up(cell: Array) -> Integers:
@@ -124,11 +97,11 @@ def _closed_up(cell: Array) -> Integers:
     """
     occupied, back = np.unique(cell, return_inverse=True)
     steps = np.minimum(np.diff(occupied, prepend=occupied[:1] - 1), 2)
-    return np.asarray(np.cumsum(steps).astype(np.int64)[back])
+    return np.cumsum(steps).astype(np.int64)[back]
 
 
 def _near(
-    p: Array, radius: float, start: Integers, stop: Integers
+    p: Array, radius: Array, start: Integers, stop: Integers
 ) -> tuple[Integers, Integers]:
     """Pairs of each point with those from its start to its stop."""
     count = np.maximum(stop - start, 0)

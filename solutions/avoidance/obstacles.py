@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.arrays import Array
-from solutions.avoidance.directions import to_the_left, unit_or_zero
-from solutions.checks import in_space, positive
+from solutions.arrays import Array, Booleans
+from solutions.avoidance.directions import to_the_left
+from solutions.domain import Positive, Triple, Vector, domain
+from solutions.vectors import direction, quotient
 
 HEAD_ON = 1e-9
 """Share of a wish below which its part across the way names no side.
@@ -16,40 +17,12 @@ Without this threshold rounding would choose the side.
 """
 
 
-def side_of(towards: ArrayLike, *wishes: ArrayLike) -> Array:
-    """Side on which to pass what lies straight ahead (slide 1).
-
-    Parameters
-    ----------
-    towards : (..., 3), unit
-        The direction of what lies ahead; zero at its centre.
-    wishes : (..., 3) each, of any length, such as headings
-        The first wish counts that has a part across `towards`.
-
-    Returns
-    -------
-    (..., 3), unit, at right angles to `towards`
-        The direction of that part. A wish names no side if it is zero, or if
-        its part across is at most 1e-9 of it, head-on or straight away:
-        otherwise rounding would choose. If no wish names a side, it is the
-        left as seen from above, or +x where `towards` is vertical or zero.
-    """
-    ahead = np.asarray(towards, dtype=float)
-    side = to_the_left(ahead)
-    for wish in reversed([np.asarray(each, dtype=float) for each in wishes]):
-        # Twice, because the first time leaves the rounding of a long wish.
-        across = _across(_across(wish, ahead), ahead)
-        aside = np.linalg.norm(across, axis=-1)
-        named = aside > HEAD_ON * np.linalg.norm(wish, axis=-1)
-        side = np.where(named[..., None], unit_or_zero(across), side)
-    return side
-
-
+@domain
 def tangent_point(
-    position: ArrayLike,
-    heading: ArrayLike,
-    centre: ArrayLike,
-    radius: ArrayLike,
+    position: Vector,
+    heading: Vector,
+    centre: Vector,
+    radius: Positive,
 ) -> Array:
     """Point where a line from a position touches a bounding sphere (slide 1).
 
@@ -70,12 +43,6 @@ def tangent_point(
         is then the nearest point of the surface, and for a position exactly at
         the centre the top of the sphere: the point with the largest z.
 
-    Raises
-    ------
-    ValueError
-        If a radius is not positive, or a vector is not finite or does not have
-        three components.
-
     Notes
     -----
     Let L be the distance from the position to the centre. The tangent meets
@@ -95,30 +62,25 @@ def tangent_point(
     The function computes s as r k/L. That is the same number, but it keeps its
     digits near the sphere, where r² and t² are nearly equal.
     """
-    p, c, r = (
-        in_space("position", position),
-        in_space("centre", centre),
-        positive("radius", radius),
-    )
-    towards = unit_or_zero(c - p)
-    distance, way = _distance_and_way(c - p, r)
-    longest = np.maximum(distance, r)
-    short, aside = r * (r / longest), r * (way / longest)
-    side = side_of(towards, in_space("heading", heading))
-    at_centre = (distance == 0)[..., None]
-    return np.where(
-        at_centre,
-        c + r[..., None] * np.array([0.0, 0.0, 1.0]),
-        c - short[..., None] * towards + aside[..., None] * side,
-    )
+    to_centre = centre - position
+    towards = direction(to_centre)
+    distance, way = _distance_and_way(to_centre, radius)
+    longest = np.maximum(distance, radius)
+    short = radius * (radius / longest)
+    aside = radius * (way / longest)
+    side = side_of(towards, heading)
+    tangent = centre - short[..., None] * towards + aside[..., None] * side
+    top = centre + radius[..., None] * np.array([0.0, 0.0, 1.0])
+    return np.where((distance == 0)[..., None], top, tangent)
 
 
+@domain
 def is_in_the_way(
-    position: ArrayLike,
-    goal: ArrayLike,
-    centre: ArrayLike,
-    radius: ArrayLike,
-) -> NDArray[np.bool_]:
+    position: Vector,
+    goal: Vector,
+    centre: Vector,
+    radius: Positive,
+) -> Booleans:
     """Whether the straight way to a goal enters a sphere (slide 1).
 
     The way ends at the goal, so a sphere behind the position or beyond the
@@ -134,12 +96,6 @@ def is_in_the_way(
     (...), bool
         At the goal it says whether the goal is inside the sphere.
 
-    Raises
-    ------
-    ValueError
-        If a radius is not positive, or a vector is not finite or does not have
-        three components.
-
     Notes
     -----
     The way consists of the points p + λ (g − p) with λ from 0 to 1, from the
@@ -152,23 +108,19 @@ def is_in_the_way(
     nearest to the centre. The sphere is in the way if this point lies inside
     it.
     """
-    p, c = in_space("position", position), in_space("centre", centre)
-    way = in_space("goal", goal) - p
-    squared = np.vecdot(way, way)
-    share = np.clip(
-        np.vecdot(c - p, way) / np.where(squared > 0, squared, 1.0), 0.0, 1.0
-    )
-    nearest = p + share[..., None] * way
-    distance = np.linalg.norm(nearest - c, axis=-1)
-    return np.asarray(distance < positive("radius", radius))
+    way = goal - position
+    share = quotient(np.vecdot(centre - position, way), np.vecdot(way, way))
+    nearest = position + np.clip(share, 0.0, 1.0)[..., None] * way
+    return np.linalg.norm(nearest - centre, axis=-1) < radius
 
 
+@domain
 def steer_around(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    goal: ArrayLike,
-    centre: ArrayLike,
-    radius: ArrayLike,
+    position: Vector,
+    velocity: Vector,
+    goal: Vector,
+    centre: Vector,
+    radius: Positive,
 ) -> Array:
     """Direction to a goal, or around a sphere that is in the way (slide 1).
 
@@ -191,12 +143,6 @@ def steer_around(
         the goal. At the goal, outside the sphere, it is zero. A goal inside
         the sphere is never reached: the flier circles it.
 
-    Raises
-    ------
-    ValueError
-        If a radius is not positive, or a vector is not finite or does not have
-        three components.
-
     Notes
     -----
     Position, centre and tangent point form a right triangle with the sides L,
@@ -206,22 +152,47 @@ def steer_around(
 
         d = (k/L) towards the centre + (r/L) to the side
     """
-    p, c, r = (
-        in_space("position", position),
-        in_space("centre", centre),
-        positive("radius", radius),
-    )
-    to_goal = in_space("goal", goal) - p
-    straight, towards = unit_or_zero(to_goal), unit_or_zero(c - p)
-    distance, way = _distance_and_way(c - p, r)
-    length = np.maximum(distance, r)
-    side = side_of(towards, in_space("velocity", velocity), to_goal)
-    tangent = (way / length)[..., None] * towards + (r / length)[
-        ..., None
-    ] * side
-    inside = ((distance < r) & (distance > 0))[..., None]
-    turns = (is_in_the_way(p, goal, c, r) & (distance > 0))[..., None]
-    return np.where(inside, -towards, np.where(turns, tangent, straight))
+    to_goal, to_centre = goal - position, centre - position
+    towards = direction(to_centre)
+    distance, way = _distance_and_way(to_centre, radius)
+    length = np.maximum(distance, radius)
+    ahead, aside = (way / length)[..., None], (radius / length)[..., None]
+    side = side_of(towards, velocity, to_goal)
+    tangent = ahead * towards + aside * side
+    off_centre = distance > 0
+    inside = (distance < radius) & off_centre
+    turns = is_in_the_way(position, goal, centre, radius) & off_centre
+    way_on = np.where(turns[..., None], tangent, direction(to_goal))
+    return np.where(inside[..., None], -towards, way_on)
+
+
+@domain
+def side_of(towards: Triple, *wishes: ArrayLike) -> Array:
+    """Side on which to pass what lies straight ahead (slide 1).
+
+    Parameters
+    ----------
+    towards : (..., 3), unit
+        The direction of what lies ahead; zero at its centre.
+    wishes : (..., 3) each, of any length, such as headings
+        The first wish counts that has a part across `towards`.
+
+    Returns
+    -------
+    (..., 3), unit, at right angles to `towards`
+        The direction of that part. A wish names no side if it is zero, or if
+        its part across is at most 1e-9 of it, head-on or straight away:
+        otherwise rounding would choose. If no wish names a side, it is the
+        left as seen from above, or +x where `towards` is vertical or zero.
+    """
+    side = to_the_left(towards)
+    for wish in map(np.asarray, reversed(wishes)):
+        # Twice, because the first time leaves the rounding of a long wish.
+        across = _across(_across(wish, towards), towards)
+        aside = np.linalg.norm(across, axis=-1)
+        named = aside > HEAD_ON * np.linalg.norm(wish, axis=-1)
+        side = np.where(named[..., None], direction(across), side)
+    return side
 
 
 def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
@@ -230,12 +201,12 @@ def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
     The root is computed from a product, so that no two nearly equal squares
     are subtracted.
     """
-    distance = np.asarray(np.linalg.norm(to_centre, axis=-1))
+    distance = np.linalg.norm(to_centre, axis=-1)
     outside = np.maximum(distance - radius, 0.0)
     return distance, np.sqrt(outside * (distance + radius))
 
 
 def _across(vector: Array, direction: Array) -> Array:
-    return np.asarray(
-        vector - np.sum(vector * direction, axis=-1, keepdims=True) * direction
-    )
+    """Part of a vector across a direction (..., 3) that is unit or zero."""
+    along = np.sum(vector * direction, axis=-1, keepdims=True)
+    return vector - along * direction

@@ -8,26 +8,26 @@ plane, (..., 2).
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.avoidance.cones import orca_half_plane
-from solutions.avoidance.directions import in_plane
+from solutions.avoidance.domain import Count, Crowd, OnePositive, Planar
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.checks import not_negative, of_shape, positive, whole
+from solutions.domain import NotNegative, domain, require
 
 
+@domain
 def crowd_step(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    preferred: ArrayLike,
-    radius: ArrayLike,
-    max_speed: ArrayLike,
-    horizon: float,
-    dt: float,
-    neighbour_distance: ArrayLike = np.inf,
-    max_neighbours: ArrayLike = np.inf,
+    position: Crowd,
+    velocity: Crowd,
+    preferred: Planar,
+    radius: NotNegative,
+    max_speed: NotNegative,
+    horizon: OnePositive,
+    dt: OnePositive,
+    neighbour_distance: NotNegative = np.inf,
+    max_neighbours: Count = np.inf,
 ) -> tuple[Array, Array]:
     """State of a crowd of discs after a step in which they avoid each other.
 
@@ -41,13 +41,12 @@ def crowd_step(
     ----------
     position, velocity, preferred : (n, 2), m, m/s, m/s
     radius, max_speed : (n,) or one for all, m, m/s, not negative
-    horizon, dt : s, positive
+    horizon, dt : one number, s, positive
         The horizon is no shorter than the step, in which each disc keeps
         its velocity.
     neighbour_distance : (n,) or one for all, m, not negative
         A disc heeds no other whose centre is farther from its own.
-    max_neighbours : (n,) or one for all, a whole number or infinity, not
-    negative
+    max_neighbours : (n,) or one for all, whole and not negative, or infinity
         A disc heeds at most that many others, the nearest ones. Of two that
         are equally near, the one with the lower index comes first.
 
@@ -61,10 +60,7 @@ def crowd_step(
     Raises
     ------
     ValueError
-        If a radius, a speed or a limit of neighbours is negative, a number of
-        neighbours is not whole, a horizon or step is not positive, the horizon
-        is shorter than the step, a position is not finite, or the shapes do
-        not fit.
+        If the horizon is shorter than the step, or the shapes do not fit.
 
     Notes
     -----
@@ -79,28 +75,17 @@ def crowd_step(
     half of the change, and the two may collide: the promise of
     `orca_half_plane` is lost.
     """
-    p, v = _states(position, velocity)
-    r = np.broadcast_to(not_negative("radius", radius), len(p))
-    speed = np.broadcast_to(not_negative("max_speed", max_speed), len(p))
-    sight = np.broadcast_to(
-        not_negative("neighbour_distance", neighbour_distance), len(p)
-    )
-    most = np.broadcast_to(
-        whole(
-            "max_neighbours", not_negative("max_neighbours", max_neighbours)
-        ),
-        len(p),
-    )
-    horizon, dt = (
-        float(of_shape(name, positive(name, time), ()))
-        for name, time in (("horizon", horizon), ("dt", dt))
-    )
-    # Rounding may make equal times differ: 0.3 is less than 3 · 0.1.
-    if horizon < (1 - 1e-12) * dt:
-        raise ValueError(
-            f"horizon must be no shorter than the step, {dt} s, not"
-            f" {horizon} s: discs could meet within the step"
-        )
+    p, v, n = position, velocity, len(position)
+    shapes = f"the shape {p.shape} of the positions, not {v.shape}"
+    require(v.shape == p.shape, f"velocity must have {shapes}")
+    # Else discs could meet within the step. Rounding may make equal times
+    # differ: 0.3 is less than 3 · 0.1.
+    times = f"no shorter than the step, {dt} s, not {horizon} s"
+    require(horizon >= (1 - 1e-12) * dt, f"horizon must be {times}")
+    r = np.broadcast_to(radius, n)
+    speed = np.broadcast_to(max_speed, n)
+    sight = np.broadcast_to(neighbour_distance, n)
+    most = np.broadcast_to(max_neighbours, n)
     i, j = _who_may_meet(p, r, speed, horizon, sight)
     point, normal = orca_half_plane(
         p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt
@@ -108,29 +93,15 @@ def crowd_step(
     mirrored = v[j] - (point - v[i])  # the other half, in reverse
     who, whom = np.r_[i, j], np.r_[j, i]
     heeded = _heeded(p, who, whom, sight, most)
-    half_planes = (
-        np.r_[point, mirrored][heeded],
-        np.r_[normal, -normal][heeded],
-    )
-    points, normals = _in_rows(len(p), who[heeded], *half_planes)
+    points = np.r_[point, mirrored][heeded]
+    normals = np.r_[normal, -normal][heeded]
+    points, normals = _in_rows(n, who[heeded], points, normals)
     v = permitted_velocity(preferred, speed, points, normals)
     return p + v * dt, v
 
 
-def _states(position: ArrayLike, velocity: ArrayLike) -> tuple[Array, Array]:
-    p, v = in_plane("position", position), in_plane("velocity", velocity)
-    if p.ndim != 2:
-        raise ValueError(f"position must have the shape (n, 2), not {p.shape}")
-    if v.shape != p.shape:
-        raise ValueError(
-            f"velocity must have the shape {p.shape} of the positions,"
-            f" not {v.shape}"
-        )
-    return p, v
-
-
 def _who_may_meet(
-    p: Array, radius: Array, speed: Array, horizon: float, sight: Array
+    p: Array, radius: Array, speed: Array, horizon: Array, sight: Array
 ) -> tuple[Integers, Integers]:
     """Pairs that may touch within the horizon, if one sees the other.
 
@@ -151,11 +122,10 @@ def _heeded(
     distance = np.linalg.norm(p[whom] - p[who], axis=-1)
     order = np.lexsort((whom, distance, who))
     count = np.bincount(who, minlength=len(p))
+    first = np.repeat(np.cumsum(count) - count, count)
     rank = np.empty(len(who), dtype=int)  # 0 for the nearest
-    rank[order] = np.arange(len(who)) - np.repeat(
-        np.cumsum(count) - count, count
-    )
-    return np.asarray((distance <= sight[who]) & (rank < most[who]))
+    rank[order] = np.arange(len(who)) - first
+    return (distance <= sight[who]) & (rank < most[who])
 
 
 def _in_rows(n: int, owner: Integers, *values: Array) -> list[Array]:
@@ -165,7 +135,8 @@ def _in_rows(n: int, owner: Integers, *values: Array) -> list[Array]:
     """
     order = np.argsort(owner, kind="stable")
     count = np.bincount(owner, minlength=n)
-    place = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    first = np.repeat(np.cumsum(count) - count, count)
+    place = np.arange(len(owner)) - first
     rows = [np.zeros((n, count.max(initial=0), 2)) for _ in values]
     for row, value in zip(rows, values, strict=True):
         row[owner[order], place] = value[order]

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import ArrayLike
-
 from solutions.arrays import Array
-from solutions.avoidance.directions import limited, unit_or_zero
-from solutions.checks import not_negative, positive
+from solutions.avoidance.directions import limited
+from solutions.domain import NotNegative, Number, Positive, domain
+from solutions.vectors import direction
 
 
-def seek(
-    position: ArrayLike, target: ArrayLike, max_speed: ArrayLike
-) -> Array:
+@domain
+def seek(position: Number, target: Number, max_speed: NotNegative) -> Array:
     """Velocity wanted by a body that seeks a target (slide 1).
 
     It wants to move straight towards the target, at full speed.
@@ -27,11 +24,6 @@ def seek(
     (..., d), m/s
         Zero at the target.
 
-    Raises
-    ------
-    ValueError
-        If a speed is negative.
-
     Notes
     -----
     The vector target − position points from the body to the target. Divided by
@@ -41,15 +33,11 @@ def seek(
 
     A widely copied text has position − target. With this sign the body flees.
     """
-    speed = not_negative("max_speed", max_speed)
-    return np.asarray(
-        speed[..., None] * unit_or_zero(np.subtract(target, position))
-    )
+    return max_speed[..., None] * direction(target - position)
 
 
-def flee(
-    position: ArrayLike, target: ArrayLike, max_speed: ArrayLike
-) -> Array:
+@domain
+def flee(position: Number, target: Number, max_speed: NotNegative) -> Array:
     """Velocity wanted by a body that flees from a target (slide 1).
 
     It wants to move straight away from the target, at full speed.
@@ -63,20 +51,16 @@ def flee(
     -------
     (..., d), m/s
         Zero at the target, from which no direction leads away.
-
-    Raises
-    ------
-    ValueError
-        If a speed is negative.
     """
     return -seek(position, target, max_speed)
 
 
+@domain
 def arrive(
-    position: ArrayLike,
-    target: ArrayLike,
-    max_speed: ArrayLike,
-    slowing_radius: ArrayLike,
+    position: Number,
+    target: Number,
+    max_speed: NotNegative,
+    slowing_radius: Positive,
 ) -> Array:
     """Velocity wanted by a body that is to stop at a target.
 
@@ -94,11 +78,6 @@ def arrive(
     (..., d), m/s
         Zero at the target.
 
-    Raises
-    ------
-    ValueError
-        If a speed is negative or a slowing radius is not positive.
-
     Notes
     -----
     The formula is
@@ -113,23 +92,27 @@ def arrive(
         x″ = −(x′ + v_max x/R)/τ
 
     It stops without overshoot if its damping is at least critical. The
-    characteristic equation τ λ² + λ + v_max/R = 0 has real solutions if R ≥ 4
-    v_max τ. The force must also be large enough to brake. A body that follows
-    v_wanted loses speed at the rate v_max² x/R², which is largest at x = R, so
-    the condition is F_max ≥ m v_max²/R.
+    characteristic equation τ λ² + λ + v_max/R = 0 has real solutions if
+
+        R ≥ 4 v_max τ
+
+    The force must also be large enough to brake. A body that follows v_wanted
+    loses speed at the rate v_max² x/R², which is largest at x = R, so the
+    condition is
+
+        F_max ≥ m v_max²/R
     """
-    rate = not_negative("max_speed", max_speed) / positive(
-        "slowing_radius", slowing_radius
-    )
-    return limited(rate[..., None] * np.subtract(target, position), max_speed)
+    rate = max_speed / slowing_radius
+    return limited(rate[..., None] * (target - position), max_speed)
 
 
+@domain
 def steering_force(
-    velocity: ArrayLike,
-    wanted: ArrayLike,
-    mass: ArrayLike,
-    response_time: ArrayLike,
-    max_force: ArrayLike,
+    velocity: Number,
+    wanted: Number,
+    mass: Positive,
+    response_time: Positive,
+    max_force: NotNegative,
 ) -> Array:
     """Force that changes a velocity into the wanted one (slide 1).
 
@@ -148,24 +131,18 @@ def steering_force(
     (..., d), N
         Zero where the velocity is the wanted one.
 
-    Raises
-    ------
-    ValueError
-        If a mass or a response time is not positive or a force is negative.
-
     Notes
     -----
     To change v into v_wanted within the time τ takes the acceleration
-    (v_wanted − v)/τ. Newton's law gives the force:
+    (v_wanted − v)/τ. Newton's law gives the force
 
-        F = m (v_wanted − v)/τ, shortened to F_max
+        F = m (v_wanted − v)/τ
+
+    and it is shortened to F_max.
 
     Reynolds writes steering = desired − velocity. That is a difference of
     velocities, although he calls it a force. Only the division by a response
     time τ makes it one. In his text that time is one frame.
     """
-    gain = positive("mass", mass) / positive("response_time", response_time)
-    change = np.asarray(np.subtract(wanted, velocity), dtype=float)
-    return limited(
-        gain[..., None] * change, not_negative("max_force", max_force)
-    )
+    gain = mass / response_time
+    return limited(gain[..., None] * (wanted - velocity), max_force)

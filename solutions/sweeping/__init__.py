@@ -1,8 +1,16 @@
-"""Swept volumes (slide 10).
+"""Swept volumes (slide 10): the time at which moving bodies first touch.
 
-Bodies that move without turning are reduced to a relative motion and a ray
-against a Minkowski sum. Bodies that turn are swept by conservative
-advancement.
+Bodies that only fly are reduced to a relative motion, and a ray against a
+Minkowski sum. Bodies that turn are swept by conservative advancement.
+
+motion       the motion of one body relative to the other, and a bound on it
+rays         a ray against a sphere, a capsule and a box
+spheres      two balls, and a ball and a plane
+looking      what one look per step misses, and looks that miss nothing
+advancement  any two convex bodies that fly and turn
+nearest      how far two convex bodies are apart, and along which direction
+features     corner against face, and edge against edge, in straight motion
+rounds       the loop of conservative advancement, for many pairs at once
 """
 
 from solutions.sweeping.advancement import sweep_convex

@@ -13,12 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import in_space
-from solutions.sweeping.motion import extent, motion_bound, rotated
-from solutions.sweeping.nearest import point_set, separation_of_hulls
+from solutions.arrays import Array, Booleans
+from solutions.domain import FiniteNotNegative, Positive, Vector, domain
+from solutions.sweeping.domain import Points
+from solutions.sweeping.motion import motion_bound, rotated
+from solutions.sweeping.nearest import separation_of_hulls
 from solutions.sweeping.rounds import (
     Look,
     Pairs,
@@ -28,6 +28,7 @@ from solutions.sweeping.rounds import (
     or_undecided,
     touching,
 )
+from solutions.vectors import quotient
 
 LOOKS = 1000
 """Number of looks at a pair. If it needs more, it is undecided or goes on."""
@@ -37,19 +38,20 @@ HALVINGS = 16
 """How often the interval is halved in which a free time is searched."""
 
 
+@domain
 def sweep_convex(
-    points_a: ArrayLike,
-    position_a: ArrayLike,
-    velocity_a: ArrayLike,
-    angular_velocity_a: ArrayLike,
-    radius_a: ArrayLike,
-    points_b: ArrayLike,
-    position_b: ArrayLike,
-    velocity_b: ArrayLike,
-    angular_velocity_b: ArrayLike,
-    radius_b: ArrayLike,
-    dt: ArrayLike,
-    tolerance: ArrayLike | None = None,
+    points_a: Points,
+    position_a: Vector,
+    velocity_a: Vector,
+    angular_velocity_a: Vector,
+    radius_a: FiniteNotNegative,
+    points_b: Points,
+    position_b: Vector,
+    velocity_b: Vector,
+    angular_velocity_b: Vector,
+    radius_b: FiniteNotNegative,
+    dt: FiniteNotNegative,
+    tolerance: Positive | None = None,
 ) -> Array:
     """Time at which two convex bodies first touch within a step (slide 10).
 
@@ -62,10 +64,10 @@ def sweep_convex(
         They are measured from the point about which the body turns, along the
         axes of the world, at the start of the step.
     position_a, position_b : (..., 3), the point about which the body turns, m
-    velocity_a, velocity_b : (..., 3), of that point, m/s, constant over the
-        step
-    angular_velocity_a, angular_velocity_b : (..., 3), rad/s, constant over the
-        step
+    velocity_a, velocity_b : (..., 3), of that point, m/s
+        It is constant over the step.
+    angular_velocity_a, angular_velocity_b : (..., 3), rad/s
+        It is constant over the step.
     radius_a, radius_b : (...), m; 0 for sharp corners
     dt : (...), s, length of the step
     tolerance : (...), distance at which two bodies count as touching, m
@@ -92,13 +94,6 @@ def sweep_convex(
         If a time is NaN. The warning says until when these bodies surely stay
         apart.
 
-    Raises
-    ------
-    ValueError
-        If a radius or dt is negative or not finite, tolerance is not positive,
-        a body has no points, or an array is not finite or not of three
-        components.
-
     Notes
     -----
     The swept volume of a body has no simple shape once the body turns. A bound
@@ -117,12 +112,11 @@ def sweep_convex(
     speed at which the points about which the bodies turn approach each other
     along n, the bodies therefore stay apart as long as
 
-        u t + H_A(t) − H_A(0) + H_B(t) − H_B(0) < s    (0 for u, if they move
-        apart)
+        u t + H_A(t) − H_A(0) + H_B(t) − H_B(0) < s
 
-    The left side never falls, so that halving an interval finds how long that
-    is. A rod that spins beside a wall and never reaches it is then free for
-    ever, at once.
+    with 0 in place of u if these points move apart. The left side never falls,
+    so that halving an interval finds how long that is. A rod that spins beside
+    a wall and never reaches it is then free for ever, at once.
 
     Each round advances the clock by the longer one of these two times, or by a
     little less, so that half the tolerance is left. This keeps the bodies
@@ -135,66 +129,30 @@ def sweep_convex(
     After 1000 rounds only those pairs are continued that reach the end of the
     step within 4000 rounds at their pace so far.
     """
-    shapes = [np.shape(points_a)[:-2], np.shape(points_b)[:-2]]
-    motions = (
-        position_a,
-        velocity_a,
-        angular_velocity_a,
-        position_b,
-        velocity_b,
-        angular_velocity_b,
-    )
-    shapes += [np.shape(value)[:-1] for value in motions]
-    shapes += [
-        np.shape(value)
-        for value in (
-            radius_a,
-            radius_b,
-            dt,
-            0.0 if tolerance is None else tolerance,
-        )
-    ]
-    shape = np.broadcast_shapes(*shapes)
-    a = _Body.of(
-        "a",
-        shape,
-        points_a,
-        position_a,
-        velocity_a,
-        angular_velocity_a,
-        radius_a,
-    )
-    b = _Body.of(
-        "b",
-        shape,
-        points_b,
-        position_b,
-        velocity_b,
-        angular_velocity_b,
-        radius_b,
-    )
-    end = flat(extent("dt", dt), shape)
+    a = _Body(points_a, position_a, velocity_a, angular_velocity_a, radius_a)
+    b = _Body(points_b, position_b, velocity_b, angular_velocity_b, radius_b)
+    of_tolerance = () if tolerance is None else tolerance.shape
+    shape = np.broadcast_shapes(a.shape, b.shape, dt.shape, of_tolerance)
+    a, b = a.in_a_row(shape), b.in_a_row(shape)
+    end = flat(dt, shape)
     near = touching(tolerance, shape, a.size, b.size, a.far_from(b))
 
     def look(pairs: Pairs, time: Array) -> tuple[Array, Array]:
         corners_a, corners_b = a.corners(pairs, time), b.corners(pairs, time)
-        place_a, place_b = a.place(pairs, time), b.place(pairs, time)
         separation, normal = separation_of_hulls(
-            corners_a + place_a, corners_b + place_b
+            corners_a + a.place(pairs, time), corners_b + b.place(pairs, time)
         )
         separation = separation - a.radius[pairs] - b.radius[pairs]
         room, left = separation - near[pairs] / 2, end[pairs] - time
-        least = free_time(
-            room, a.bound(pairs, -normal) + b.bound(pairs, normal)
-        )
+        fastest = a.bound(pairs, -normal) + b.bound(pairs, normal)
+        free = free_time(room, fastest)
         approach = np.vecdot(normal, b.velocity[pairs] - a.velocity[pairs])
         turning = [
             _Turning.of(corners_a, a.angular_velocity[pairs], -normal),
             _Turning.of(corners_b, b.angular_velocity[pairs], normal),
         ]
-        return separation, np.maximum(
-            least, _time_within(room, approach, turning, least, left)
-        )
+        longer = _time_within(room, approach, turning, free, left)
+        return separation, np.maximum(free, longer)
 
     time, undecided = _advance_patiently(look, end, near)
     return or_undecided(time, undecided).reshape(shape)
@@ -202,7 +160,7 @@ def sweep_convex(
 
 @dataclass(frozen=True)
 class _Body:
-    """Many bodies in one row: arrays (N, n, 3), (N, 3) and (N,)."""
+    """Many bodies: arrays (..., n, 3), (..., 3) and (...)."""
 
     points: Array
     position: Array
@@ -210,52 +168,43 @@ class _Body:
     angular_velocity: Array
     radius: Array
 
-    @classmethod
-    def of(
-        cls,
-        name: str,
-        shape: tuple[int, ...],
-        points: ArrayLike,
-        position: ArrayLike,
-        velocity: ArrayLike,
-        angular_velocity: ArrayLike,
-        radius: ArrayLike,
-    ) -> _Body:
-        corners = point_set(f"points_{name}", points)
-        return cls(
-            flat(corners, shape, corners.shape[-2:]),
-            flat(in_space(f"position_{name}", position), shape, (3,)),
-            flat(in_space(f"velocity_{name}", velocity), shape, (3,)),
-            flat(
-                in_space(f"angular_velocity_{name}", angular_velocity),
-                shape,
-                (3,),
-            ),
-            flat(extent(f"radius_{name}", radius), shape),
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape (...) of all arrays together."""
+        return np.broadcast_shapes(
+            self.points.shape[:-2],
+            self.position.shape[:-1],
+            self.velocity.shape[:-1],
+            self.angular_velocity.shape[:-1],
+            self.radius.shape,
+        )
+
+    def in_a_row(self, shape: tuple[int, ...]) -> _Body:
+        """As many bodies as the shape has places: (N, n, 3), (N, 3), (N,)."""
+        return _Body(
+            flat(self.points, shape, self.points.shape[-2:]),
+            flat(self.position, shape, (3,)),
+            flat(self.velocity, shape, (3,)),
+            flat(self.angular_velocity, shape, (3,)),
+            flat(self.radius, shape),
         )
 
     @property
     def size(self) -> Array:
         """Longest edge of the box along the axes around each body (N,), m."""
-        return np.asarray(
-            np.ptp(self.points, axis=-2).max(axis=-1) + 2 * self.radius
-        )
+        edges = np.ptp(self.points, axis=-2)
+        return edges.max(axis=-1) + 2 * self.radius
 
     def far_from(self, other: _Body) -> Array:
         """Distances (N,) between the first corners of two bodies, m."""
-        ways = (
-            self.position
-            + self.points[:, 0]
-            - other.position
-            - other.points[:, 0]
-        )
-        return np.asarray(np.linalg.norm(ways, axis=-1))
+        corner = self.position + self.points[:, 0]
+        way = corner - other.position - other.points[:, 0]
+        return np.linalg.norm(way, axis=-1)
 
     def place(self, pairs: Pairs, time: Array) -> Array:
         """Points (N, 1, 3) about which some bodies turn, at a time, m."""
-        return np.asarray(
-            self.position[pairs] + self.velocity[pairs] * time[:, None]
-        )[:, None, :]
+        way = self.velocity[pairs] * time[:, None]
+        return (self.position[pairs] + way)[:, None, :]
 
     def corners(self, pairs: Pairs, time: Array) -> Array:
         """Points of some bodies at a time, from where they turn about, m."""
@@ -265,8 +214,7 @@ class _Body:
     def bound(self, pairs: Pairs, normal: Array) -> Array:
         """Fastest that any point of some bodies moves along a direction."""
         reach = np.linalg.norm(self.points[pairs], axis=-1).max(axis=-1)
-        # Where the normal is zero the bodies overlap, and nobody needs a
-        # bound.
+        # Where the normal is zero the bodies overlap, and no bound is needed.
         apart = np.vecdot(normal, normal) > 0.5
         along = np.where(apart[:, None], normal, np.array([0.0, 0.0, 1.0]))
         return motion_bound(
@@ -300,18 +248,14 @@ class _Turning:
     ) -> _Turning:
         """Corners (N, n, 3) that turn at (N, 3), seen along (N, 3)."""
         speed = np.linalg.norm(angular_velocity, axis=-1, keepdims=True)
-        axis = (angular_velocity / np.where(speed > 0, speed, 1.0))[:, None, :]
+        axis = quotient(angular_velocity, speed)[:, None, :]
         n = direction[:, None, :]
         along = np.vecdot(corners, axis) * np.vecdot(axis, n)
         now = np.vecdot(corners, n) - along
         quarter = np.vecdot(corners, np.cross(n, axis))
         peak = np.arctan2(quarter, now)
-        return cls(
-            along,
-            np.hypot(now, quarter),
-            np.where(peak < 0, peak + 2 * np.pi, peak),
-            speed,
-        )
+        peak = np.where(peak < 0, peak + 2 * np.pi, peak)
+        return cls(along, np.hypot(now, quarter), peak, speed)
 
     def highest(self, time: Array) -> Array:
         """Largest height (N,) of any corner from now until a time (N,), m."""
@@ -319,12 +263,8 @@ class _Turning:
         # Before its peak, a corner may fall and rise. It is highest now or in
         # the end.
         ends = np.maximum(np.cos(self.peak), np.cos(self.peak - angle))
-        return np.asarray(
-            (
-                self.along
-                + self.amplitude * np.where(angle >= self.peak, 1.0, ends)
-            ).max(axis=-1)
-        )
+        cosine = np.where(angle >= self.peak, 1.0, ends)
+        return (self.along + self.amplitude * cosine).max(axis=-1)
 
 
 def _time_within(
@@ -341,32 +281,29 @@ def _time_within(
     start = sum(body.highest(np.zeros(room.shape)) for body in turning)
 
     def used_up(time: Array) -> Array:
-        return np.asarray(
-            np.maximum(approach, 0.0) * time
-            + sum(body.highest(time) for body in turning)
-            - start
-        )
+        flown = np.maximum(approach, 0.0) * time
+        return flown + sum(body.highest(time) for body in turning) - start
 
     fits = used_up(left) < room
     low, high = np.minimum(least, left), left
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         safe = used_up(middle) < room
-        low, high = np.where(safe, middle, low), np.where(safe, high, middle)
+        low = np.where(safe, middle, low)
+        high = np.where(safe, high, middle)
     return np.where(fits, np.inf, low)
 
 
 def _advance_patiently(
     look: Look, dt: Array, tolerance: Array
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Array, Booleans]:
     """Advance, with more rounds for pairs whose pace ends the step."""
     began = np.zeros(dt.shape)
     time, undecided = advance_all(look, dt, tolerance, began, LOOKS)
     for more in range(PATIENCE - 1, 0, -1):
         pairs = np.flatnonzero(undecided)
-        pairs = pairs[
-            dt[pairs] - time[pairs] < more * (time[pairs] - began[pairs])
-        ]
+        left, covered = dt[pairs] - time[pairs], time[pairs] - began[pairs]
+        pairs = pairs[left < more * covered]
         if not pairs.size:
             break
         began = time

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import in_space
-from solutions.sweeping.nearest import nearest_weights, triangles
+from solutions.arrays import Array, Booleans
+from solutions.domain import Positive, Vector, domain
+from solutions.sweeping.domain import Edge, Triangle
+from solutions.sweeping.nearest import nearest_weights
 from solutions.sweeping.rounds import (
     Pairs,
     advance_all,
@@ -16,6 +16,7 @@ from solutions.sweeping.rounds import (
     or_undecided,
     touching,
 )
+from solutions.vectors import direction
 
 LOOKS_UNCUT = 40
 """Looks at a pair before it is cut into halves."""
@@ -23,12 +24,13 @@ SPLITS = 12
 """How often a pair is cut at most. What is undecided then remains so."""
 
 
+@domain
 def vertex_face_impact(
-    vertex_0: ArrayLike,
-    triangle_0: ArrayLike,
-    vertex_1: ArrayLike,
-    triangle_1: ArrayLike,
-    tolerance: ArrayLike | None = None,
+    vertex_0: Vector,
+    triangle_0: Triangle,
+    vertex_1: Vector,
+    triangle_1: Triangle,
+    tolerance: Positive | None = None,
 ) -> Array:
     """Share of a step at which a point meets a moving triangle (slide 10).
 
@@ -60,12 +62,6 @@ def vertex_face_impact(
     UndecidedWarning
         If a share is NaN.
 
-    Raises
-    ------
-    ValueError
-        If tolerance is not positive, or an array is not finite or not of three
-        components.
-
     Notes
     -----
     The usual way is to look for the times at which all four points are
@@ -83,25 +79,21 @@ def vertex_face_impact(
     the triangle is therefore cut into halves, which are followed on their own:
     the smaller a piece, the less its corners' velocities differ.
     """
-    start = in_space("vertex_0", vertex_0)[..., None, :] - triangles(
-        "triangle_0", triangle_0
-    )
-    end = in_space("vertex_1", vertex_1)[..., None, :] - triangles(
-        "triangle_1", triangle_1
-    )
-    size = _size(triangles("triangle_0", triangle_0))
+    start = vertex_0[..., None, :] - triangle_0
+    end = vertex_1[..., None, :] - triangle_1
     time, undecided, shape = _first_contact(
-        start, end, tolerance, np.zeros(()), size
+        start, end, tolerance, np.zeros(()), _size(triangle_0)
     )
     return or_undecided(time, undecided).reshape(shape)
 
 
+@domain
 def edge_edge_impact(
-    edge_a_0: ArrayLike,
-    edge_b_0: ArrayLike,
-    edge_a_1: ArrayLike,
-    edge_b_1: ArrayLike,
-    tolerance: ArrayLike | None = None,
+    edge_a_0: Edge,
+    edge_b_0: Edge,
+    edge_a_1: Edge,
+    edge_b_1: Edge,
+    tolerance: Positive | None = None,
 ) -> Array:
     """Share of a step at which two moving edges meet (slide 10).
 
@@ -122,12 +114,6 @@ def edge_edge_impact(
         apart, 0 if they touch now, and NaN, with a warning, where it could not
         be decided.
 
-    Raises
-    ------
-    ValueError
-        If tolerance is not positive, or an array is not finite or not two
-        points of three components.
-
     Notes
     -----
     The differences between a point of one edge and a point of the other fill a
@@ -135,41 +121,39 @@ def edge_edge_impact(
     is made of two triangles, and these are followed as in
     `vertex_face_impact`.
     """
-    edge_a, edge_b = _edge("edge_a_0", edge_a_0), _edge("edge_b_0", edge_b_0)
-    start = edge_a[..., :, None, :] - edge_b[..., None, :, :]
-    end = (
-        _edge("edge_a_1", edge_a_1)[..., :, None, :]
-        - _edge("edge_b_1", edge_b_1)[..., None, :, :]
-    )
+    start = edge_a_0[..., :, None, :] - edge_b_0[..., None, :, :]
+    end = edge_a_1[..., :, None, :] - edge_b_1[..., None, :, :]
     start = start.reshape(*start.shape[:-3], 4, 3)
     end = end.reshape(*end.shape[:-3], 4, 3)
     time, undecided, shape = _first_contact(
-        start, end, tolerance, _size(edge_a), _size(edge_b)
+        start, end, tolerance, _size(edge_a_0), _size(edge_b_0)
     )
     return or_undecided(time, undecided).reshape(shape)
 
 
 def _size(points: Array) -> Array:
     """Longest edge (...) of the box around points (..., n, 3), m."""
-    return np.asarray(np.ptp(points, axis=-2).max(axis=-1))
+    return np.ptp(points, axis=-2).max(axis=-1)
 
 
 def _first_contact(
     start: Array,
     end: Array,
-    tolerance: ArrayLike | None,
+    tolerance: Array | None,
     size_a: Array,
     size_b: Array,
-) -> tuple[Array, NDArray[np.bool_], tuple[int, ...]]:
+) -> tuple[Array, Booleans, tuple[int, ...]]:
     """Share of a step at which moving triangles first reach the origin.
 
     It does the same for parallelograms. The sizes are those of the two
-    features. The result also tells which pairs are undecided, and the shape of
-    the arguments.
+    features. The function also returns which pairs are undecided, and the
+    shape of the arguments.
     """
-    start, end = np.broadcast_arrays(start, end)
-    given = np.asarray(0.0 if tolerance is None else tolerance)
-    shape = np.broadcast_shapes(start.shape[:-2], given.shape)
+    shape = np.broadcast_shapes(
+        start.shape[:-2],
+        end.shape[:-2],
+        () if tolerance is None else tolerance.shape,
+    )
     near = touching(
         tolerance,
         shape,
@@ -179,15 +163,17 @@ def _first_contact(
     )
     place = flat(start, shape, start.shape[-2:])
     motion = flat(end, shape, end.shape[-2:]) - place
-    return *_follow(place, motion, near, np.zeros(near.shape), SPLITS), shape
+    began = np.zeros(near.shape)
+    time, undecided = _follow(place, motion, near, began, SPLITS)
+    return time, undecided, shape
 
 
 def _follow(
     place: Array, motion: Array, near: Array, began: Array, splits: int
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Array, Booleans]:
     """Shares of a step until which pieces surely stay away from the origin.
 
-    The second array tells where it is undecided whether they reach it then.
+    The second array says where it is undecided whether they reach it then.
     """
 
     def look(pairs: Pairs, time: Array) -> tuple[Array, Array]:
@@ -195,9 +181,8 @@ def _follow(
         normal = _towards(corners)
         heights = np.vecdot(corners, normal[:, None, :])
         closing = -np.vecdot(motion[pairs], normal[:, None, :])
-        return heights.min(axis=-1), free_time(
-            heights - near[pairs, None] / 2, closing
-        ).min(axis=-1)
+        free = free_time(heights - near[pairs, None] / 2, closing)
+        return heights.min(axis=-1), free.min(axis=-1)
 
     time, undecided = advance_all(
         look, np.ones(near.shape), near, began, LOOKS_UNCUT
@@ -206,8 +191,10 @@ def _follow(
         halves = _halves(place[undecided], motion[undecided])
         near_twice = np.tile(near[undecided], 2)
         time_twice = np.tile(time[undecided], 2)
-        found = _follow(*halves, near_twice, time_twice, splits - 1)
-        times, still_open = (value.reshape(2, -1) for value in found)
+        times, still_open = _follow(
+            *halves, near_twice, time_twice, splits - 1
+        )
+        times, still_open = times.reshape(2, -1), still_open.reshape(2, -1)
         first = np.argmin(times, axis=0)[None]
         time[undecided] = np.take_along_axis(times, first, axis=0)[0]
         undecided[undecided] = np.take_along_axis(still_open, first, axis=0)[0]
@@ -228,9 +215,8 @@ def _halves(place: Array, motion: Array) -> tuple[Array, Array]:
         motion[:, orders[:, 1]] - motion[:, orders[:, 0]], axis=-1
     )
     order = orders[np.argmax(differences, axis=-1)][..., None]
-    place, motion = (
-        np.take_along_axis(points, order, axis=1) for points in (place, motion)
-    )
+    place = np.take_along_axis(place, order, axis=1)
+    motion = np.take_along_axis(motion, order, axis=1)
     return _cut(place), _cut(motion)
 
 
@@ -238,9 +224,8 @@ def _cut(corners: Array) -> Array:
     """Cut triangles between corners 0 and 1, and others between 2 and 3."""
     first, second = corners.copy(), corners.copy()
     for start in range(0, corners.shape[1] - 1, 2):
-        first[:, start + 1] = second[:, start] = corners[
-            :, start : start + 2
-        ].mean(axis=1)
+        middle = corners[:, start : start + 2].mean(axis=1)
+        first[:, start + 1] = second[:, start] = middle
     return np.concatenate([first, second])
 
 
@@ -254,23 +239,8 @@ def _towards(corners: Array) -> Array:
         if corners.shape[-2] == 3
         else corners[:, [[0, 1, 2], [1, 2, 3]], :]
     )
-    nearest = (
-        nearest_weights(faces, faces, np.roll(faces, -1, axis=-2) - faces)[
-            ..., None, :
-        ]
-        @ faces
-    )[..., 0, :]
-    distance = np.linalg.norm(nearest, axis=-1)
-    best = np.argmin(distance, axis=-1)[:, None]
-    length = np.take_along_axis(distance, best, axis=-1)
-    nearest = np.take_along_axis(nearest, best[..., None], axis=-2)[:, 0, :]
-    return np.asarray(nearest / np.where(length > 0, length, 1.0))
-
-
-def _edge(name: str, value: ArrayLike) -> Array:
-    ends = in_space(name, value)
-    if ends.shape[-2:] != (2, 3):
-        raise ValueError(
-            f"{name} must have shape (..., 2, 3), not {ends.shape}"
-        )
-    return ends
+    edges = np.roll(faces, -1, axis=-2) - faces
+    weights = nearest_weights(faces, faces, edges)
+    nearest = (weights[..., None, :] @ faces)[..., 0, :]
+    best = np.argmin(np.linalg.norm(nearest, axis=-1), axis=-1)
+    return direction(nearest[np.arange(len(best)), best])

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    in_space,
-    not_negative,
-    of_shape,
-    positive,
-    whole,
-)
-from solutions.sweeping.motion import extent, motion_bound, rotated
-from solutions.sweeping.nearest import point_set, separation_of_hulls
+from solutions.domain import FiniteNotNegative, Positive, domain
+from solutions.sweeping.domain import Looks, OneHull, OneVector
+from solutions.sweeping.motion import motion_bound, rotated
+from solutions.sweeping.nearest import separation_of_hulls
+from solutions.vectors import quotient
 
 
+@domain
 def missed_share(
-    speed: ArrayLike, radius_a: ArrayLike, radius_b: ArrayLike, dt: ArrayLike
+    speed: FiniteNotNegative,
+    radius_a: FiniteNotNegative,
+    radius_b: FiniteNotNegative,
+    dt: FiniteNotNegative,
 ) -> Array:
     """Share of the collisions of two balls that one look per step misses.
 
@@ -39,11 +37,6 @@ def missed_share(
     (...), 0 to 1
         0 where speed or dt is 0, also for two points. 1 for two points
         otherwise.
-
-    Raises
-    ------
-    ValueError
-        If an argument is negative or not finite.
 
     Notes
     -----
@@ -65,23 +58,23 @@ def missed_share(
 
         1 − 4R/3D
     """
-    speed, dt = extent("speed", speed), extent("dt", dt)
-    radius = extent("radius_a", radius_a) + extent("radius_b", radius_b)
+    radius = radius_a + radius_b
     way = speed * dt
-    few = (way / np.where(radius > 0, radius, 1.0)) ** 2 / 12
-    many = 1 - 4 / 3 * radius / np.where(way > 0, way, 1.0)
+    few = quotient(way, radius) ** 2 / 12
+    many = 1 - quotient(4 / 3 * radius, way)
     return np.where(way <= 2 * radius, few, many)
 
 
+@domain
 def advance(
-    points_a: ArrayLike,
-    position_a: ArrayLike,
-    velocity_a: ArrayLike,
-    angular_velocity_a: ArrayLike,
-    points_b: ArrayLike,
-    dt: ArrayLike,
-    tolerance: ArrayLike,
-    looks: int,
+    points_a: OneHull,
+    position_a: OneVector,
+    velocity_a: OneVector,
+    angular_velocity_a: OneVector,
+    points_b: OneHull,
+    dt: FiniteNotNegative,
+    tolerance: Positive,
+    looks: Looks,
 ) -> tuple[float, int]:
     """Time at which a hull that moves and turns first touches one that rests.
 
@@ -96,9 +89,11 @@ def advance(
     velocity_a : (3,), of that point, m/s, constant over the step
     angular_velocity_a : (3,), rad/s, constant over the step
     points_b : (m, 3), corners of B, which rests, as places in the world, m
-    dt : s, finite, length of the step
-    tolerance : m, above 0; hulls at most so far apart count as touching
-    looks : whole number, at least 1; how often the separation may be measured
+    dt : one number, s, finite, length of the step
+    tolerance : one number, m, above 0
+        Hulls that are at most so far apart count as touching.
+    looks : one whole number, at least 1
+        It says how often the separation may be measured.
 
     Returns
     -------
@@ -115,13 +110,6 @@ def advance(
         allow, whose reach is that of A's farthest corner. No look is taken
         after dt; one at dt is.
 
-    Raises
-    ------
-    ValueError
-        If dt is negative, tolerance is not positive, looks is not a whole
-        number from 1, a hull has no points, or an array is not finite or does
-        not have the shape above.
-
     Notes
     -----
     The hulls are apart by s along a direction n from B to A. B rests, and no
@@ -134,34 +122,16 @@ def advance(
     The loop advances the clock by this time, and looks again. If μ ≤ 0, no
     point of A ever comes nearer along n, and the hulls stay apart for ever.
     """
-    corners = _one_hull("points_a", points_a)
-    b = _one_hull("points_b", points_b)
-    position = _one_vector("position_a", position_a)
-    velocity = _one_vector("velocity_a", velocity_a)
-    turn = _one_vector("angular_velocity_a", angular_velocity_a)
-    end = finite("dt", not_negative("dt", dt))
-    near = positive("tolerance", tolerance)
-    most = int(finite("looks", positive("looks", whole("looks", looks))))
-    reach = np.linalg.norm(corners, axis=-1).max()
+    reach = np.linalg.norm(points_a, axis=-1).max()
     time = 0.0
-    for used in range(1, most + 1):
-        a = position + velocity * time + rotated(corners, turn * time)
-        separation, normal = separation_of_hulls(a, b)
-        if separation <= near:
+    for used in range(1, int(looks) + 1):
+        turned = rotated(points_a, angular_velocity_a * time)
+        a = position_a + velocity_a * time + turned
+        separation, normal = separation_of_hulls(a, points_b)
+        if separation <= tolerance:
             return time, used
-        closing = motion_bound(velocity, turn, reach, -normal)
+        closing = motion_bound(velocity_a, angular_velocity_a, reach, -normal)
         time = time + float(separation / closing) if closing > 0 else np.inf
-        if time > end:
+        if time > dt:
             return np.inf, used
-    return np.nan, most
-
-
-def _one_hull(name: str, points: ArrayLike) -> Array:
-    """Return the corners (n, 3) of one hull; refuse those of several."""
-    corners = point_set(name, points)
-    return of_shape(name, corners, (corners.shape[-2], 3))
-
-
-def _one_vector(name: str, value: ArrayLike) -> Array:
-    """Return one vector (3,); refuse several."""
-    return of_shape(name, in_space(name, value), (3,))
+    return np.nan, used

@@ -6,10 +6,11 @@ They belong to the point of the difference that is nearest to the origin.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from solutions.arrays import Array
-from solutions.checks import in_space
+from solutions.arrays import Array, Integers
+from solutions.domain import Vector, domain
+from solutions.sweeping.domain import Points, Triangle
+from solutions.vectors import quotient
 
 ROUNDS = 60
 """Largest number of rounds; boxes take about ten.
@@ -21,129 +22,9 @@ FACES = np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])
 """Faces of a tetrahedron, by corners."""
 
 
-def triangles(name: str, value: ArrayLike) -> Array:
-    """Return triangles (..., 3, 3).
-
-    Raises
-    ------
-    ValueError
-        If one is not finite or does not have three corners of three
-        components.
-    """
-    corners = in_space(name, value)
-    if corners.shape[-2:] != (3, 3):
-        raise ValueError(
-            f"{name} must have shape (..., 3, 3), not {corners.shape}"
-        )
-    return corners
-
-
-def point_set(name: str, value: ArrayLike) -> Array:
-    """Return sets of points (..., n, 3).
-
-    Raises
-    ------
-    ValueError
-        If a set has no point, is not finite, or has points without three
-        components.
-    """
-    array = in_space(name, value)
-    if array.ndim < 2 or not array.shape[-2]:
-        raise ValueError(
-            f"{name} must have shape (..., n, 3) with a point at least, "
-            f"not {array.shape}"
-        )
-    return array
-
-
-def nearest_on_triangle(point: ArrayLike, triangle: ArrayLike) -> Array:
-    """Weights of a triangle's corners at its point nearest to a given point.
-
-    Parameters
-    ----------
-    point : (..., 3), m
-    triangle : (..., 3, 3), three corners, m
-        A triangle without area is a segment or a point.
-
-    Returns
-    -------
-    (..., 3)
-        No weight is negative, and their sum is 1. With the corners p_i and the
-        weights w_i, the nearest point is Σ w_i p_i.
-
-    Raises
-    ------
-    ValueError
-        If an array is not finite or not of three components.
-
-    Notes
-    -----
-    The nearest point is on one of the three edges, or inside the triangle. It
-    is inside where the foot of the perpendicular from the given point to the
-    triangle's plane falls inside. The function computes one candidate on each
-    edge and one inside, and it takes the nearest of these four. A triangle
-    without area therefore needs no treatment of its own: its nearest point is
-    on an edge.
-    """
-    places = triangles("triangle", triangle)
-    # The edges are not taken from `corners`: far from the point these have
-    # lost digits.
-    ways = np.roll(places, -1, axis=-2) - places
-    corners = places - in_space("point", point)[..., None, :]
-    return nearest_weights(corners, places, ways)
-
-
-def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
-    """Weights of triangles' corners at the points nearest to the origin.
-
-    The corners are measured from there. Their places, and the edges as ways
-    from one place to the next, may be measured from elsewhere.
-    """
-    weights = np.concatenate(
-        [_on_edges(corners, ways), _inside(corners, ways)[..., None, :]],
-        axis=-2,
-    )
-    nearest = weights @ corners
-    step = (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
-    # This is d² minus the d² of the first candidate. Far away all d² are equal
-    # up to rounding, but their differences are not lost.
-    farther = np.vecdot(step, nearest + nearest[..., :1, :])
-    best = np.argmin(farther, axis=-1)[..., None, None]
-    return np.asarray(np.take_along_axis(weights, best, axis=-2)[..., 0, :])
-
-
-def _on_edges(corners: Array, ways: Array) -> Array:
-    """Weights (..., 3, 3) of points on edges 01, 12, 20 nearest to 0."""
-    squared = np.vecdot(ways, ways)
-    share = -np.vecdot(corners, ways) / np.where(squared > 0, squared, 1.0)
-    share = np.clip(share, 0.0, 1.0)[..., None]
-    return np.asarray(
-        (1 - share) * np.eye(3) + share * np.roll(np.eye(3), 1, axis=-1)
-    )
-
-
-def _inside(corners: Array, ways: Array) -> Array:
-    """Weights (..., 3) of the origin's foot on the plane, pushed back inside.
-
-    Without a plane, they are those of the first corner.
-    """
-    normal = np.cross(ways[..., 0, :], ways[..., 1, :])
-    # Each is in proportion to the area of the triangle of the foot and that
-    # edge.
-    beside = np.vecdot(np.cross(corners, ways), normal[..., None, :])
-    # The triangle on the edge 12 is the weight of the corner 0.
-    shares = np.maximum(np.roll(beside, -1, axis=-1), 0.0)
-    total = shares.sum(axis=-1, keepdims=True)
-    return np.where(
-        total > 0,
-        shares / np.where(total > 0, total, 1.0),
-        np.array([1.0, 0.0, 0.0]),
-    )
-
-
+@domain
 def separation_of_hulls(
-    points_a: ArrayLike,
-    points_b: ArrayLike,
+    points_a: Points, points_b: Points
 ) -> tuple[Array, Array]:
     """How far two convex hulls are apart, and along which direction.
 
@@ -166,12 +47,6 @@ def separation_of_hulls(
     normal : (..., 3), n, of unit length from B to A
         It is zero where the separation is zero.
 
-    Raises
-    ------
-    ValueError
-        If a body has no points, or an array is not finite or not of three
-        components.
-
     Notes
     -----
     The differences a − b between a point of A and a point of B fill a convex
@@ -188,17 +63,16 @@ def separation_of_hulls(
     While the hulls overlap there is no direction that separates them, and the
     separation stays 0.
     """
-    a, b = point_set("points_a", points_a), point_set("points_b", points_b)
-    shape = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
-    a = np.broadcast_to(a, (*shape, *a.shape[-2:]))
-    b = np.broadcast_to(b, (*shape, *b.shape[-2:]))
+    shape = np.broadcast_shapes(points_a.shape[:-2], points_b.shape[:-2])
+    a = np.broadcast_to(points_a, (*shape, *points_a.shape[-2:]))
+    b = np.broadcast_to(points_b, (*shape, *points_b.shape[-2:]))
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))
     done, last = np.zeros(shape, dtype=bool), np.full(shape, np.inf)
     for _ in range(ROUNDS):
         weights, nearest = _nearest_on_tetrahedron(corners)
         distance = np.linalg.norm(nearest, axis=-1)
-        way = nearest / np.where(distance > 0, distance, 1.0)[..., None]
+        way = quotient(nearest, distance[..., None])
         support = farthest(a, -way) - farthest(b, way)
         separation = np.vecdot(way, support)
         # The hulls are apart by this much, whichever direction it was found
@@ -210,18 +84,11 @@ def separation_of_hulls(
         last = np.minimum(distance, last)
         if np.all(done):
             break
+        used, spare = weights[..., None] > 0, nearest_corner(corners, weights)
+        corners = np.where(used, corners, spare[..., None, :])
         unused = np.argmin(weights, axis=-1)[..., None, None]
-        corners = np.where(
-            weights[..., None] > 0,
-            corners,
-            nearest_corner(corners, weights)[..., None, :],
-        )
-        np.put_along_axis(
-            corners,
-            np.broadcast_to(unused, (*shape, 1, 3)),
-            support[..., None, :],
-            axis=-2,
-        )
+        place = np.broadcast_to(unused, (*shape, 1, 3))
+        np.put_along_axis(corners, place, support[..., None, :], axis=-2)
     return best, normal
 
 
@@ -230,10 +97,8 @@ def farthest(body: Array, direction: Array) -> Array:
 
     It is called the support.
     """
-    index = np.argmax(np.vecdot(body, direction[..., None, :]), axis=-1)[
-        ..., None, None
-    ]
-    return np.asarray(np.take_along_axis(body, index, axis=-2)[..., 0, :])
+    heights = np.vecdot(body, direction[..., None, :])
+    return _chosen(body, np.argmax(heights, axis=-1))
 
 
 def nearest_corner(corners: Array, weights: Array) -> Array:
@@ -241,11 +106,78 @@ def nearest_corner(corners: Array, weights: Array) -> Array:
 
     In its place, corners that are no longer needed do no harm.
     """
-    return np.asarray(
-        np.take_along_axis(
-            corners, np.argmax(weights, axis=-1)[..., None, None], axis=-2
-        )[..., 0, :]
-    )
+    return _chosen(corners, np.argmax(weights, axis=-1))
+
+
+@domain
+def nearest_on_triangle(point: Vector, triangle: Triangle) -> Array:
+    """Weights of a triangle's corners at its point nearest to a given point.
+
+    Parameters
+    ----------
+    point : (..., 3), m
+    triangle : (..., 3, 3), three corners, m
+        A triangle without area is a segment or a point.
+
+    Returns
+    -------
+    (..., 3)
+        No weight is negative, and their sum is 1. With the corners p_i and the
+        weights w_i, the nearest point is Σ w_i p_i.
+
+    Notes
+    -----
+    The nearest point is on one of the three edges, or inside the triangle. It
+    is inside where the foot of the perpendicular from the given point to the
+    triangle's plane falls inside. The function computes one candidate on each
+    edge and one inside, and it takes the nearest of these four. A triangle
+    without area therefore needs no treatment of its own: its nearest point is
+    on an edge.
+    """
+    # The edges are not taken from `corners`: far from the point these have
+    # lost digits.
+    edges = np.roll(triangle, -1, axis=-2) - triangle
+    corners = triangle - point[..., None, :]
+    return nearest_weights(corners, triangle, edges)
+
+
+def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
+    """Weights of triangles' corners at the points nearest to the origin.
+
+    The corners are measured from there. Their places, and the edges as ways
+    from one place to the next, may be measured from elsewhere.
+    """
+    on_edges, inside = _on_edges(corners, ways), _inside(corners, ways)
+    weights = np.concatenate([on_edges, inside[..., None, :]], axis=-2)
+    nearest = weights @ corners
+    step = (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
+    # This is d² minus the d² of the first candidate. Far away all d² are equal
+    # up to rounding, but their differences are not lost.
+    farther = np.vecdot(step, nearest + nearest[..., :1, :])
+    best = np.argmin(farther, axis=-1)
+    return _chosen(weights, best)
+
+
+def _on_edges(corners: Array, ways: Array) -> Array:
+    """Weights (..., 3, 3) of points on edges 01, 12, 20 nearest to 0."""
+    share = quotient(-np.vecdot(corners, ways), np.vecdot(ways, ways))
+    share = np.clip(share, 0.0, 1.0)[..., None]
+    return (1 - share) * np.eye(3) + share * np.roll(np.eye(3), 1, axis=-1)
+
+
+def _inside(corners: Array, ways: Array) -> Array:
+    """Weights (..., 3) of the origin's foot on the plane, pushed back inside.
+
+    Without a plane, they are those of the first corner.
+    """
+    normal = np.cross(ways[..., 0, :], ways[..., 1, :])
+    # Each is in proportion to the area of the triangle of the foot and that
+    # edge.
+    beside = np.vecdot(np.cross(corners, ways), normal[..., None, :])
+    # The triangle on the edge 12 is the weight of the corner 0.
+    shares = np.maximum(np.roll(beside, -1, axis=-1), 0.0)
+    total = shares.sum(axis=-1, keepdims=True)
+    return quotient(shares, total, np.array([1.0, 0.0, 0.0]))
 
 
 def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
@@ -254,13 +186,16 @@ def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
     It is given by its weights (..., 4) and its place (..., 3).
     """
     faces = corners[..., FACES, :]
-    on_faces = nearest_weights(
-        faces, faces, np.roll(faces, -1, axis=-2) - faces
-    )
+    edges = np.roll(faces, -1, axis=-2) - faces
+    on_faces = nearest_weights(faces, faces, edges)
     places = (on_faces[..., None, :] @ faces)[..., 0, :]
-    best = np.argmin(np.vecdot(places, places), axis=-1)[..., None]
-    weights = np.zeros((*best.shape[:-1], 4))
-    chosen = np.take_along_axis(on_faces, best[..., None], axis=-2)[..., 0, :]
-    np.put_along_axis(weights, FACES[best[..., 0]], chosen, axis=-1)
-    place = np.take_along_axis(places, best[..., None], axis=-2)[..., 0, :]
-    return weights, place
+    best = np.argmin(np.vecdot(places, places), axis=-1)
+    weights = np.zeros((*best.shape, 4))
+    np.put_along_axis(weights, FACES[best], _chosen(on_faces, best), axis=-1)
+    return weights, _chosen(places, best)
+
+
+def _chosen(rows: Array, index: Integers) -> Array:
+    """Of rows (..., n, d), those (..., d) with the index (...)."""
+    chosen = np.take_along_axis(rows, index[..., None, None], axis=-2)
+    return chosen[..., 0, :]

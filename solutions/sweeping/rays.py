@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import in_space
-from solutions.sweeping.motion import extent
+from solutions.domain import FiniteNotNegative, Vector, domain
+from solutions.sweeping.domain import Extents
+from solutions.vectors import quotient
 
 
+@domain
 def ray_sphere(
-    origin: ArrayLike, direction: ArrayLike, radius: ArrayLike
+    origin: Vector, direction: Vector, radius: FiniteNotNegative
 ) -> Array:
     """First t ≥ 0 at which x + u t is inside or on a sphere around the origin.
 
@@ -31,55 +32,48 @@ def ray_sphere(
         that grazes the sphere meets it; within rounding of that, rounding
         decides.
 
-    Raises
-    ------
-    ValueError
-        If radius is negative or not finite, or a vector is not finite or not
-        of three components.
-
     Notes
     -----
-    A ray that starts outside can meet the sphere only if it approaches it, x·u
-    < 0. It is on the sphere where x + u t has the length r. Squared, with x²
-    for x·x, this is a quadratic equation for t:
+    A ray that starts outside can meet the sphere only if it approaches it,
+    which means x·u < 0. It is on the sphere where x + u t has the length r.
+    Squared, with x² for x·x, this is a quadratic equation for t:
 
         u² t² + 2 x·u t + x² − r² = 0
 
-    A quarter of its discriminant is (x·u)² − u² (x² − r²). Lagrange's
-    identity, (x·u)² = x² u² − (x × u)², turns it into r² u² − (x × u)². The
-    ray misses the sphere where this is negative. Otherwise the smaller root is
-    where the ray enters,
+    A quarter of its discriminant is (x·u)² − u² (x² − r²). Lagrange's identity
+
+        (x·u)² = x² u² − (x × u)²
+
+    turns it into r² u² − (x × u)². The ray misses the sphere where this is
+    negative. Otherwise the smaller root is where the ray enters,
 
         t = (−x·u − √(r² u² − (x × u)²))/u²
           = (x² − r²)/(−x·u + √(r² u² − (x × u)²))
 
-    The second line follows if the first is multiplied and divided by −x·u +
-    √(…). The function uses the second line, because it subtracts no two nearly
-    equal numbers.
+    The second line follows if the first is multiplied and divided by
+    −x·u + √(…). The function uses the second line, because it subtracts no two
+    nearly equal numbers.
     """
-    x = in_space("origin", origin)
-    u = in_space("direction", direction)
-    r = extent("radius", radius)
+    x, u = origin, direction
     distance = np.sqrt(np.vecdot(x, x))
-    closing, across = -np.vecdot(x, u), np.cross(x, u)
-    inside = distance <= r
     # From within, the size of the sphere does not matter.
-    r = np.minimum(r, distance)
+    r = np.minimum(radius, distance)
+    closing, across = -np.vecdot(x, u), np.cross(x, u)
     discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
-    time = (
-        (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0)
-    )
-    return np.where(inside, 0.0, np.where(meets, time, np.inf))
+    below = np.where(meets, closing + root, 0.0)
+    time = quotient((distance - r) * (distance + r), below, np.inf)
+    return np.where(distance <= radius, 0.0, time)
 
 
+@domain
 def ray_capsule(
-    origin: ArrayLike,
-    direction: ArrayLike,
-    start: ArrayLike,
-    end: ArrayLike,
-    radius: ArrayLike,
+    origin: Vector,
+    direction: Vector,
+    start: Vector,
+    end: Vector,
+    radius: FiniteNotNegative,
 ) -> Array:
     """First t ≥ 0 at which x + u t is within r of a segment.
 
@@ -100,12 +94,6 @@ def ray_capsule(
         ray along the segment meets an end. A ray that grazes the capsule
         meets it; within rounding of that, rounding decides.
 
-    Raises
-    ------
-    ValueError
-        If radius is negative or not finite, or a vector is not finite or not
-        of three components.
-
     Notes
     -----
     Seen along the segment, the cylinder is a circle. In this view the ray is
@@ -114,43 +102,24 @@ def ray_capsule(
     two ends of the segment. The ends themselves are spheres. The result is the
     first of these three times.
     """
-    x, u = in_space("origin", origin), in_space("direction", direction)
-    a, b = in_space("start", start), in_space("end", end)
-    along = b - a
+    along = end - start
     squared = np.vecdot(along, along)
-    scale = np.where(squared > 0, squared, 1.0)
-    place, rate = np.vecdot(x - a, along) / scale, np.vecdot(u, along) / scale
-    side = ray_sphere(
-        x - a - place[..., None] * along, u - rate[..., None] * along, radius
-    )
+    from_start, from_end = origin - start, origin - end
+    place = quotient(np.vecdot(from_start, along), squared)
+    rate = quotient(np.vecdot(direction, along), squared)
+    x_across = from_start - place[..., None] * along
+    u_across = direction - rate[..., None] * along
+    side = ray_sphere(x_across, u_across, radius)
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
     side = np.where((there >= 0) & (there <= 1), side, np.inf)
-    return np.minimum(
-        side,
-        np.minimum(ray_sphere(x - a, u, radius), ray_sphere(x - b, u, radius)),
-    )
+    first_end = ray_sphere(from_start, direction, radius)
+    second_end = ray_sphere(from_end, direction, radius)
+    return np.minimum(side, np.minimum(first_end, second_end))
 
 
-def time_between(
-    place: Array, rate: Array, half: Array
-) -> tuple[Array, Array]:
-    """The times, negative ones too, at which |x + u t| ≤ h begins and ends.
-
-    They are infinity and −infinity where it never holds.
-    """
-    moves = rate != 0
-    speed = np.where(moves, np.abs(rate), 1.0)
-    middle = -place * np.sign(rate)
-    sign = np.where(np.abs(place) <= half, 1.0, -1.0)
-    first, last = (middle - half) / speed, (middle + half) / speed
-    first = np.where(moves, first, -sign * np.inf)
-    return first, np.where(moves, last, sign * np.inf)
-
-
+@domain
 def ray_box(
-    origin: ArrayLike,
-    direction: ArrayLike,
-    half_extents: ArrayLike,
+    origin: Vector, direction: Vector, half_extents: Extents
 ) -> tuple[Array, Array]:
     """From when to when x + u t is in a box around the origin: the slab test.
 
@@ -160,7 +129,7 @@ def ray_box(
     ----------
     origin : (..., 3), x, where the ray starts, from the box's centre, m
     direction : (..., 3), u, of any length; it sets the unit of t
-    half_extents : (..., 3), half the edges, m
+    half_extents : (..., 3), h, half the edges, m, not negative
         An edge may be 0: the box is then a sheet, a segment or a point.
 
     Returns
@@ -172,21 +141,30 @@ def ray_box(
         infinity, or never. A miss is an empty interval: entry is infinity and
         exit is −infinity.
 
-    Raises
-    ------
-    ValueError
-        If half_extents is negative, or a vector is not finite or not of three
-        components.
-
     Notes
     -----
-    A slab is the space between two parallel faces. The box is what its three
-    slabs have in common. So the ray is in the box from the last time at which
-    it enters a slab until the first time at which it leaves one.
+    A slab is the space between two parallel faces, |x + u t| ≤ h along one
+    axis. Where u > 0, the ray is in it from (−x − h)/u to (−x + h)/u. The box
+    is what its three slabs have in common. So the ray is in the box from the
+    last time at which it enters a slab until the first time at which it leaves
+    one.
     """
-    x, u = in_space("origin", origin), in_space("direction", direction)
-    half = extent("half_extents", in_space("half_extents", half_extents))
-    return in_all(*time_between(x, u, half))
+    first, last = time_between(origin, direction, half_extents)
+    return in_all(first, last)
+
+
+def time_between(
+    place: Array, rate: Array, half: Array
+) -> tuple[Array, Array]:
+    """The times, negative ones too, at which |x + u t| ≤ h begins and ends.
+
+    They are infinity and −infinity where it never holds.
+    """
+    middle = -place * np.sign(rate)
+    sign = np.where(np.abs(place) <= half, 1.0, -1.0)
+    first = quotient(middle - half, np.abs(rate), -sign * np.inf)
+    last = quotient(middle + half, np.abs(rate), sign * np.inf)
+    return first, last
 
 
 def in_all(first: Array, last: Array) -> tuple[Array, Array]:

@@ -10,12 +10,11 @@ import warnings
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import positive
+from solutions.arrays import Array, Booleans, Integers
+from solutions.vectors import quotient
 
-Pairs = NDArray[np.int64]
+Pairs = Integers
 Look = Callable[[Pairs, Array], tuple[Array, Array]]
 """A function of the numbers of some pairs, and of a time for each of them.
 
@@ -35,10 +34,7 @@ def free_time(separation: Array, closing: Array) -> Array:
 
     It is infinity if the separation does not shrink.
     """
-    shrinks = closing > 0
-    return np.where(
-        shrinks, separation / np.where(shrinks, closing, 1.0), np.inf
-    )
+    return quotient(separation, np.maximum(closing, 0.0), np.inf)
 
 
 def advance_all(
@@ -48,12 +44,13 @@ def advance_all(
     began: Array,
     rounds: int,
     pairs: Pairs | None = None,
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Array, Booleans]:
     """Advance from look to look until the pair touches or the step is over.
 
     The pairs surely stay apart until the times that are returned. They touch
-    then, unless the rounds were too few for a pair. The second array tells
-    which these are. Without the numbers of some pairs, all of them advance.
+    then, unless the rounds were too few for a pair. The second array says
+    which pairs these are. Without the numbers of some pairs, all of them
+    advance.
     """
     time, undecided = began.copy(), np.zeros(dt.shape, dtype=bool)
     pairs = np.arange(dt.size) if pairs is None else pairs
@@ -71,7 +68,7 @@ def advance_all(
     return time, undecided
 
 
-def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
+def or_undecided(time: Array, undecided: Booleans) -> Array:
     """Return the times, with NaN and a warning where a pair is undecided."""
     if undecided.any():
         warnings.warn(
@@ -81,13 +78,13 @@ def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
             "fast and so near to each other. "
             "A shorter step from there on, or a larger tolerance, may decide",
             UndecidedWarning,
-            stacklevel=3,
+            stacklevel=4,  # above the check of the arguments
         )
     return np.where(undecided, np.nan, time)
 
 
 def touching(
-    tolerance: ArrayLike | None,
+    tolerance: Array | None,
     shape: tuple[int, ...],
     size_a: Array,
     size_b: Array,
@@ -100,13 +97,10 @@ def touching(
     are apart at first.
     """
     if tolerance is not None:
-        return flat(positive("tolerance", tolerance), shape)
-    smaller = np.where(
-        size_a * size_b > 0,
-        np.minimum(size_a, size_b),
-        np.maximum(size_a, size_b),
-    )
-    return np.asarray(TOLERANCE * np.where(smaller > 0, smaller, apart))
+        return flat(tolerance, shape)
+    smaller, larger = np.minimum(size_a, size_b), np.maximum(size_a, size_b)
+    size = np.where(size_a * size_b > 0, smaller, larger)
+    return TOLERANCE * np.where(size > 0, size, apart)
 
 
 def flat(

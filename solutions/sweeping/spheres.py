@@ -3,23 +3,30 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_space
 from solutions.detection import signed_distance
-from solutions.sweeping.motion import extent, relative_motion, within
+from solutions.domain import (
+    Finite,
+    FiniteNotNegative,
+    NotNegative,
+    Vector,
+    domain,
+)
+from solutions.sweeping.motion import relative_motion
 from solutions.sweeping.rays import ray_sphere
+from solutions.sweeping.rounds import free_time
 
 
+@domain
 def sweep_sphere_sphere(
-    position_a: ArrayLike,
-    velocity_a: ArrayLike,
-    radius_a: ArrayLike,
-    position_b: ArrayLike,
-    velocity_b: ArrayLike,
-    radius_b: ArrayLike,
-    dt: ArrayLike,
+    position_a: Vector,
+    velocity_a: Vector,
+    radius_a: FiniteNotNegative,
+    position_b: Vector,
+    velocity_b: Vector,
+    radius_b: FiniteNotNegative,
+    dt: NotNegative,
 ) -> Array:
     """Time at which two balls first touch within a step (slide 10).
 
@@ -38,12 +45,6 @@ def sweep_sphere_sphere(
         It is 0 if the balls overlap or touch now, even if they part. It is
         infinity where they do not touch.
 
-    Raises
-    ------
-    ValueError
-        If a radius or dt is negative, a radius is infinite, or a vector is not
-        finite or not of three components.
-
     Notes
     -----
     Two balls touch when their centres are r_A + r_B apart. So A may be shrunk
@@ -54,17 +55,17 @@ def sweep_sphere_sphere(
     position, velocity = relative_motion(
         position_a, velocity_a, position_b, velocity_b
     )
-    radius = extent("radius_a", radius_a) + extent("radius_b", radius_b)
-    return within(ray_sphere(position, velocity, radius), dt)
+    return within(ray_sphere(position, velocity, radius_a + radius_b), dt)
 
 
+@domain
 def sweep_sphere_plane(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    radius: ArrayLike,
-    normal: ArrayLike,
-    offset: ArrayLike,
-    dt: ArrayLike,
+    position: Vector,
+    velocity: Vector,
+    radius: FiniteNotNegative,
+    normal: Vector,
+    offset: Finite,
+    dt: NotNegative,
 ) -> Array:
     """Time at which a ball touches the half-space behind a plane (slide 10).
 
@@ -89,8 +90,7 @@ def sweep_sphere_plane(
     Raises
     ------
     ValueError
-        If a normal is zero, radius or dt is negative, or another argument is
-        not finite or not of three components.
+        If a normal is zero.
 
     Notes
     -----
@@ -101,13 +101,15 @@ def sweep_sphere_plane(
 
         t = (s − r)/(−u_n)
     """
-    x, u = in_space("position", position), in_space("velocity", velocity)
-    n = in_space("normal", normal)
-    gap = signed_distance(x, n, finite("offset", offset)) - extent(
-        "radius", radius
-    )
-    closing = -signed_distance(u, n, 0.0)
-    time = np.where(
-        closing > 0, gap / np.where(closing > 0, closing, 1.0), np.inf
-    )
-    return within(np.where(gap <= 0, 0.0, time), dt)
+    gap = signed_distance(position, normal, offset) - radius
+    closing = -signed_distance(velocity, normal, 0.0)
+    time = np.where(gap <= 0, 0.0, free_time(gap, closing))
+    return within(time, dt)
+
+
+def within(time: Array, dt: Array) -> Array:
+    """Return the time, or infinity where it is later than dt, the step's end.
+
+    The step may be infinitely long.
+    """
+    return np.where(time <= dt, time, np.inf)

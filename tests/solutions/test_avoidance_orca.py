@@ -525,12 +525,12 @@ def test_a_crowd_step_changes_no_input_and_refuses_nonsense():
         ({4: -1.0}, "max_speed must be zero or positive, not -1"),
         ({5: 0.0}, "horizon must be positive, not 0"),
         ({6: 0.0}, "dt must be positive, not 0"),
-        ({5: [2.0] * 6}, r"horizon must have the shape \(\), .* not \(6,\)"),
-        ({6: [0.1] * 6}, r"dt must have the shape \(\), .* not \(6,\)"),
+        ({5: [2.0] * 6}, r"horizon must have shape \(\), not \(6,\)"),
+        ({6: [0.1] * 6}, r"dt must have shape \(\), not \(6,\)"),
         ({5: 0.05}, r"horizon must be no shorter than the step, 0.1 s, not 0.05 s"),
         ({1: velocity[:4]}, r"velocity must have the shape \(6, 2\) of the positions, not \(4, 2\)"),
-        ({0: np.zeros((6, 3))}, r"position must have shape \(..., 2\), not \(6, 3\)"),
-        ({0: np.zeros(2)}, r"position must have the shape \(n, 2\), not \(2,\)"),
+        ({0: np.zeros((6, 3))}, r"position must have shape \(n, 2\), not \(6, 3\)"),
+        ({0: np.zeros(2)}, r"position must have shape \(n, 2\), not \(2,\)"),
         ({2: wish * math.nan}, "preferred must be finite, not nan"),
     ):
         args = [position, velocity, wish, 0.5, 0.7, 2.0, 0.1]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import solutions.meshes
-from solutions.avoidance.directions import unit_or_zero
+from solutions.vectors import direction
 
 RNG = np.random.default_rng(5)
 COUNT = 6
@@ -190,7 +190,7 @@ CASES = [
             (vectors()[:, :2], SPEED),
             (numbers() * 2, SPEED),
             (vectors(4)[..., :2] / 2, SPEED),
-            (unit_or_zero(vectors(4)[..., :2]), None),
+            (direction(vectors(4)[..., :2]), None),
         ],
         [SPEED],
     ),

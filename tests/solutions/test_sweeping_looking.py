@@ -69,10 +69,10 @@ def test_what_is_exactly_the_tolerance_apart_touches_also_at_the_very_end() -> N
 @pytest.mark.parametrize(
     ("place", "wrong", "words"),
     [
-        (0, np.zeros((2, 3, 3)), "points_a must have the shape"),
+        (0, np.zeros((2, 3, 3)), "points_a must have shape"),
         (0, np.zeros((0, 3)), "points_a must have shape"),
         (1, (0.0, np.nan, 0.0), "position_a must be finite"),
-        (2, np.zeros((4, 3)), "velocity_a must have the shape"),
+        (2, np.zeros((4, 3)), "velocity_a must have shape"),
         (5, -1.0, "dt must be zero or positive"),
         (5, np.inf, "dt must be finite"),
         (6, 0.0, "tolerance must be positive"),

@@ -63,10 +63,6 @@ CHECKS = dict.fromkeys(
         "vector",
         "matrix",
         "in_space",
-        "in_plane",
-        "extent",
-        "_one_hull",
-        "_one_vector",
     ),
     _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats}

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from solutions.avoidance import cap_of_cone, limited, side_of
-from solutions.avoidance.directions import turned_left, unit_or_zero
+from solutions.avoidance.directions import turned_left
+from solutions.vectors import direction
 
 
 def seek_1(position, target, max_speed):
@@ -141,7 +142,7 @@ def tangent_point_2(position, heading, centre, radius):
     r = np.asarray(radius, dtype=float)
     L = np.linalg.norm(c - p, axis=-1)
     towards = (c - p) / np.where(L > 0, L, 1.0)[..., None]
-    side = unit_or_zero(h - np.sum(h * towards, axis=-1, keepdims=True) * towards)
+    side = direction(h - np.sum(h * towards, axis=-1, keepdims=True) * towards)
     safe = np.maximum(L, r)
     t, s = r**2 / safe, r * np.sqrt(safe**2 - r**2) / safe
     found = c - t[..., None] * towards + s[..., None] * side
@@ -166,7 +167,7 @@ def tangent_point_4(position, heading, centre, radius):
     """Goes r^2/L short of the centre, and to the side by the whole radius."""
     p, c, r = np.asarray(position, dtype=float), np.asarray(centre, dtype=float), np.asarray(radius, dtype=float)
     L = np.linalg.norm(c - p, axis=-1)
-    towards = unit_or_zero(c - p)
+    towards = direction(c - p)
     side = side_of(towards, heading)
     safe = np.maximum(L, r)
     outside = c - (r**2 / safe)[..., None] * towards + r[..., None] * side
@@ -179,7 +180,7 @@ def tangent_point_5(position, heading, centre, radius):
     """The heading is a place: what counts is heading - position."""
     p, c, r = np.asarray(position, dtype=float), np.asarray(centre, dtype=float), np.asarray(radius, dtype=float)
     L = np.linalg.norm(c - p, axis=-1)
-    towards = unit_or_zero(c - p)
+    towards = direction(c - p)
     side = side_of(towards, np.asarray(heading, dtype=float) - p)
     safe = np.maximum(L, r)
     t, s = r**2 / safe, r * np.sqrt(safe**2 - r**2) / safe
