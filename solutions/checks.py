@@ -85,7 +85,7 @@ def matrix(name: str, value: ArrayLike) -> Array:
 def unit(name: str, vector: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse every vector whose length is not 1."""
     array = real(name, vector)
-    length = np.linalg.norm(array, axis=-1)
+    length = np.sqrt(np.vecdot(array, array))
     wrong = ~(np.abs(length - 1) <= UNIT_TOLERANCE)  # true for NaN
     if np.any(wrong):
         found = length[wrong][0]
