@@ -26,6 +26,7 @@ from labs.grading.diagnosis.probes import probes
 from labs.grading.worker.bodies import SpringMesh
 from mutants import arguments, operators
 from reference import lecture
+from solutions.domain import Rules, _domains
 
 Function = Callable[..., Any]
 SKIPPED_KEYWORDS = ("axis", "axis1", "axis2", "keepdims", "dtype", "initial", "divide", "invalid")
@@ -234,7 +235,7 @@ def _own(name: str) -> Sources:
             found[function.__name__] = function, tree
             names = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
             used = [function.__globals__.get(each) for each in sorted(names - {*function.__code__.co_varnames})]
-            waiting += [each for each in used if isinstance(each, FunctionType) and _belongs(each, topic)]
+            waiting += [inspect.unwrap(it) for it in used if isinstance(it, FunctionType) and _belongs(it, topic)]
     return found
 
 
@@ -287,10 +288,33 @@ def _is_unread(line: ast.stmt, loaded: set[str]) -> bool:
 def _run(name: str, functions: Sources, changed: str = "") -> Function:
     """The function of that name. changed: which of the trees has been changed; all others are compiled already."""
     space = dict(_names(name))
-    for own, (_, tree) in functions.items():
+    for own, (function, tree) in functions.items():
         exec(_compiled(tree) if own == changed else _code(name, own), space)
+        space[own] = _of_arrays(function, space[own])
     found: Function = space[name]
     return found
+
+
+def _of_arrays(right: FunctionType, mutant: Function) -> Function:
+    """A mutant that gets its arguments as the right function does: as arrays, but whatever they hold."""
+    rules, defaults, _ = _domains(right)
+    names = list(inspect.signature(right).parameters)
+
+    @functools.wraps(mutant)
+    def call(*args: Any, **kwargs: Any) -> Any:
+        given = dict(zip(names, args, strict=False)) | kwargs
+        return mutant(
+            **defaults | {name: _unchecked(name, value, rules.get(name, ())) for name, value in given.items()}
+        )
+
+    return call if any(rules.values()) else mutant
+
+
+def _unchecked(name: str, value: Any, rules: Rules) -> Any:
+    try:
+        return functools.reduce(lambda array, rule: rule(name, array), rules, value)
+    except ValueError:
+        return np.asarray(value, dtype=float)
 
 
 @functools.cache
