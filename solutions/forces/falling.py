@@ -66,11 +66,13 @@ def terminal_velocity(
         v_t = 2 (ρ_s − ρ_f) r² g/(9 η)
     """
     excess = density - fluid_density
-    fall = (2 * excess * radius**2 / (9 * viscosity))[..., None] * gravity
-    still = np.zeros(3)
-    reynolds = reynolds_number(fall, still, radius, fluid_density, viscosity)
-    check_stokes_regime(reynolds)
-    return fall
+    velocity = (2 * excess * radius**2 / (9 * viscosity))[..., None] * gravity
+    check_stokes_regime(
+        reynolds_number(
+            velocity, np.zeros(3), radius, fluid_density, viscosity
+        )
+    )
+    return velocity
 
 
 @domain

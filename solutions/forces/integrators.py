@@ -11,28 +11,11 @@ from solutions.arrays import Array
 from solutions.checks import real
 from solutions.domain import Number, domain
 
-Function = Callable[[Array, Array], Array]
 _MOST_ITERATIONS = 30
 _CONVERGED = 1e-12
 """Change of an iteration at which Newton's method stops.
 
 It is measured in units of the largest velocity component.
-"""
-
-
-def _function(name: str, value: Any) -> Function:
-    """A function of position and velocity; a vector becomes a constant one."""
-    if callable(value):
-        return lambda p, v: real(name, value(p, v))
-    constant = real(name, value)
-    return lambda _p, _v: constant
-
-
-Acceleration = Annotated[Function, _function]
-"""A constant acceleration (..., 3), m/s², or a function that returns it.
-
-The function takes the position and the velocity. In an integrator it always is
-such a function.
 """
 
 
@@ -314,3 +297,22 @@ def _jacobian(change: Callable[[Array], Array], velocity: Array) -> Array:
         for e in unity
     ]
     return unity - np.stack(columns, axis=-1)
+
+
+Function = Callable[[Array, Array], Array]
+
+
+def _function(name: str, value: Any) -> Function:
+    """A function of position and velocity; a vector becomes a constant one."""
+    if callable(value):
+        return lambda p, v: real(name, value(p, v))
+    constant = real(name, value)
+    return lambda _p, _v: constant
+
+
+Acceleration = Annotated[Function, _function]
+"""A constant acceleration (..., 3), m/s², or a function that returns it.
+
+The function takes the position and the velocity. In an integrator it always is
+such a function.
+"""

@@ -13,14 +13,6 @@ from solutions.forces.gravity import uniform_gravity
 from solutions.forces.springs import spring_damper_force
 
 
-def _ends(_name: str, value: Any) -> Integers:
-    return np.asarray(value)
-
-
-Ends = Annotated[Integers, _ends]
-"""(S, 2), the numbers of the two balls that each spring joins."""
-
-
 @domain
 def total_force(
     position: Triple,
@@ -43,7 +35,8 @@ def total_force(
     Parameters
     ----------
     position, velocity : (N, 3), m, m/s
-    mass, radius : (N,), kg, m, not negative, masses finite
+    mass : (N,), m, kg, not negative and finite
+    radius : (N,), r, m, not negative
     gravity : (3,), g, m/s²
     viscosity : one number, η, of the fluid, Pa s, not negative
     fluid_velocity : (N, 3), of the fluid at each ball, or (3,) everywhere, m/s
@@ -61,8 +54,7 @@ def total_force(
     Raises
     ------
     ValueError
-        If ends does not have the shape (S, 2) or names a ball that there is
-        not.
+        If ends names a ball that there is not.
 
     Notes
     -----
@@ -76,10 +68,10 @@ def total_force(
     meshes takes them all at once, for which adding needs care.
     """
     last = len(position) - 1
-    exist = bool(np.all((ends >= 0) & (ends <= last)))
-    words = f"the shape (S, 2) and whole numbers from 0 to {last}"
-    holds = ends.ndim == 2 and ends.shape[1] == 2 and exist
-    require(holds, f"ends must have {words}, not {ends.tolist()}")
+    exist = (ends >= 0) & (ends <= last)
+    require(
+        exist, f"ends must name balls from 0 to {last}, not {ends.tolist()}"
+    )
     weight = uniform_gravity(mass, gravity)
     force = weight + stokes_drag(velocity, fluid_velocity, viscosity, radius)
     first, second = ends.T
@@ -96,3 +88,17 @@ def total_force(
         force[a] = force[a] + pull
         force[b] = force[b] - pull
     return force
+
+
+def _ends(name: str, value: Any) -> Integers:
+    """Return pairs of numbers (S, 2); refuse other shapes."""
+    array = np.asarray(value)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(
+            f"{name} must have the shape (S, 2), not {array.shape}"
+        )
+    return array
+
+
+Ends = Annotated[Integers, _ends]
+"""(S, 2), the numbers of the two balls that each spring joins."""

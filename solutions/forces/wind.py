@@ -58,19 +58,6 @@ def wind_force(
     return -size[..., None] * relative
 
 
-def _grid(name: str, value: Any) -> Array:
-    """The velocities at the nodes of a grid, (nx, ny, nz, 3)."""
-    array = real(name, value)
-    if array.ndim != 4 or array.shape[-1] != 3 or 0 in array.shape:
-        shape = array.shape
-        raise ValueError(
-            f"{name} must have shape (nx, ny, nz, 3), not {shape}"
-        )
-    return array
-
-
-Field = Annotated[Array, _grid]
-"""(nx, ny, nz, 3), with a node along each axis at least."""
 _CORNERS = np.array(list(np.ndindex(2, 2, 2)))
 """The eight corners of a cell, counted from its lowest."""
 
@@ -116,8 +103,22 @@ def sample_field(
     low = place.astype(int)
     share = (place - low)[..., None, :]
     weight = np.prod(np.where(_CORNERS == 1, share, 1 - share), axis=-1)
-    # A place on the last node has no upper node, and would weigh it with 0.
-    i, j, k = np.moveaxis(
-        np.minimum(low[..., None, :] + _CORNERS, last), -1, 0
-    )
+    # Beyond the last node, where the weight is 0, this node stands in.
+    node = np.minimum(low[..., None, :] + _CORNERS, last)
+    i, j, k = np.moveaxis(node, -1, 0)
     return np.sum(weight[..., None] * field[i, j, k], axis=-2)
+
+
+def _grid(name: str, value: Any) -> Array:
+    """The velocities at the nodes of a grid, (nx, ny, nz, 3)."""
+    array = real(name, value)
+    if array.ndim != 4 or array.shape[-1] != 3 or 0 in array.shape:
+        shape = array.shape
+        raise ValueError(
+            f"{name} must have shape (nx, ny, nz, 3), not {shape}"
+        )
+    return array
+
+
+Field = Annotated[Array, _grid]
+"""(nx, ny, nz, 3), with a node along each axis at least."""

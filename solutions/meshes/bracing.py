@@ -70,8 +70,8 @@ def _rows(position: Array, edges: Integers) -> Array:
     """For each edge the numbers that make its stretch of a motion."""
     require_nodes(edges, len(position))
     first, second = edges.T
-    between = position[first] - position[second]
-    u = quotient(between, lengths(between)[:, None])
+    span = position[first] - position[second]
+    u = quotient(span, lengths(span)[:, None])
     rows = np.zeros((len(edges), len(position), 3))
     number = np.arange(len(edges))
     rows[number, first] = u

@@ -83,18 +83,18 @@ def conjugate_gradient(
     residual = r
     square = np.zeros(())
     for _ in range(30 * len(mesh.mass) if iterations is None else iterations):
-        towards = system.alone(residual)
-        going = system.worst(residual, x + towards) > tolerance
-        if not np.any(going):
+        start = system.alone(residual)
+        unsolved = system.worst(residual, x + start) > tolerance
+        if not np.any(unsolved):
             break
         before = square
-        square = np.where(going, _dot(residual, towards), square)
-        d = towards + quotient(square, before) * d
-        onto = system.product(d)
-        curvature = np.where(going, _dot(d, onto), 0.0)
+        square = np.where(unsolved, _dot(residual, start), square)
+        d = start + quotient(square, before) * d
+        product = system.product(d)
+        curvature = np.where(unsolved, _dot(d, product), 0.0)
         step = quotient(square, curvature)
         x = x + step * d
-        residual = residual - step * onto
+        residual = residual - step * product
     worst = system.worst(r - system.product(x), x, ROUNDING)
     if np.any(worst > tolerance):
         raise RuntimeError(
@@ -148,9 +148,8 @@ class _System:
             mass,
             ((row + first).ravel(), (row + second).ravel()),
         )
-        return system, _nodes_last(
-            np.broadcast_to(right, (*batch, nodes, 3)), 1
-        )
+        right = np.broadcast_to(right, (*batch, nodes, 3))
+        return system, _nodes_last(right, 1)
 
     def product(self, x: Array) -> Array:
         """(M + B) x, added up edge by edge; 0 at pinned nodes."""
@@ -158,8 +157,8 @@ class _System:
         between = np.take(x, first, axis=-1) - np.take(x, second, axis=-1)
         force = np.einsum("ij...,j...->i...", self.blocks, between).ravel()
         gained, lost = (np.bincount(end, force, x.size) for end in self.ends)
-        onto = self.mass * x + (gained - lost).reshape(x.shape)
-        return np.where(self.mesh.pinned, 0.0, onto)
+        product = self.mass * x + (gained - lost).reshape(x.shape)
+        return np.where(self.mesh.pinned, 0.0, product)
 
     def alone(self, residual: Array) -> Array:
         """How far each node would go if all others stayed where they are."""

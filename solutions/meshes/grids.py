@@ -10,15 +10,6 @@ import numpy as np
 from solutions.arrays import Array, Integers
 from solutions.domain import Positive, domain
 
-
-def _count(name: str, count: int) -> int:
-    if count < 1:
-        raise ValueError(f"{name} must be at least 1, not {count}")
-    return count
-
-
-Count = Annotated[int, _count]
-"""1, 2, 3 …"""
 Offset = tuple[int, ...]
 CLOTH_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
     "structural": ((0, 1), (1, 0)),
@@ -141,15 +132,25 @@ def _grid_edges(
     pairs = [np.zeros((0, 2), dtype=np.int64)]
     for kind, offsets in springs.items():
         for offset in offsets if kind in kinds else ():
-            first = node[_stays(node.shape, offset)]
-            second = node[_stays(node.shape, tuple(-n for n in offset))]
+            first = node[_within(node.shape, offset)]
+            second = node[_within(node.shape, tuple(-n for n in offset))]
             pairs.append(np.stack([first.ravel(), second.ravel()], axis=-1))
     return np.concatenate(pairs)
 
 
-def _stays(shape: Offset, offset: Offset) -> tuple[slice, ...]:
+def _within(shape: Offset, offset: Offset) -> tuple[slice, ...]:
     """Places of a grid from which the offset does not lead out of it."""
     return tuple(
         slice(max(0, -step), max(0, size - max(0, step)))
         for size, step in zip(shape, offset, strict=True)
     )
+
+
+def _count(name: str, count: int) -> int:
+    if count < 1:
+        raise ValueError(f"{name} must be at least 1, not {count}")
+    return count
+
+
+Count = Annotated[int, _count]
+"""1, 2, 3 …"""

@@ -97,8 +97,8 @@ def edge_damping(mesh: Mesh, position: Number) -> Array:
 
     Notes
     -----
-    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in v1 −
-    v2, with
+    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in
+    v1 − v2, with
 
         C = k_d u uᵀ
     """

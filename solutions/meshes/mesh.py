@@ -22,51 +22,6 @@ from solutions.domain import (
 )
 
 
-def _edges(name: str, value: Any) -> Integers:
-    """Return a copy of edges as (m, 2) integers, for none of them (0, 2)."""
-    edges = np.asarray(value)
-    if edges.size == 0:
-        return np.zeros((0, 2), dtype=np.int64)
-    if edges.ndim != 2 or edges.shape[1] != 2 or edges.dtype.kind not in "iu":
-        raise ValueError(
-            f"{name} must be integers of the shape (edges, 2), not"
-            f" {edges.dtype} of {edges.shape}"
-        )
-    for edge in edges[edges[:, 0] == edges[:, 1]]:
-        raise ValueError(
-            f"{name} must join two different nodes, not {edge.tolist()}"
-        )
-    return edges.astype(np.int64)
-
-
-def _places(name: str, value: Any) -> Array:
-    """Return the places (n, 3) of nodes; refuse infinity and NaN."""
-    place = real(name, value)
-    if place.shape[1:] != (3,) or not np.all(np.isfinite(place)):
-        raise ValueError(
-            f"{name} must be finite and of the shape (nodes, 3), not"
-            f" {place.shape}: {place}"
-        )
-    return place
-
-
-def _masses(name: str, value: Any) -> Array:
-    """Return masses (n,); refuse zero, negative numbers and NaN."""
-    masses = positive(name, value)
-    if masses.ndim != 1:
-        shape = masses.shape
-        raise ValueError(f"{name} must have the shape (nodes,), not {shape}")
-    return masses
-
-
-Edges = Annotated[Integers, _edges]
-"""(m, 2), the nodes at the two ends of each spring; these are two nodes."""
-Places = Annotated[Array, _places]
-"""(n, 3), finite."""
-Masses = Annotated[Array, _masses]
-"""(n,), positive. Infinity is the mass of an immovable node."""
-
-
 class _Parts(NamedTuple):
     edges: Integers
     rest_length: Array
@@ -86,6 +41,7 @@ class SpringMesh(_Parts):
     Attributes
     ----------
     edges : (m, 2), the nodes at the two ends of each spring
+        They are two different nodes.
     rest_length : (m,), m, not negative and finite
     stiffness : (m,), N/m, not negative and finite
     damping : (m,), N s/m, not negative and finite
@@ -97,8 +53,8 @@ class SpringMesh(_Parts):
     Raises
     ------
     ValueError
-        If an edge joins a node to itself or to one that does not exist, a mass
-        is not positive, or any of the other numbers is negative or not finite.
+        If an edge names a node that does not exist, or an array has too many
+        numbers or too few.
     """
 
     __slots__ = ()
@@ -224,6 +180,51 @@ def pin(mesh: Mesh, nodes: Sequence[int]) -> SpringMesh:
     return mesh._replace(pinned=mesh.pinned | np.isin(np.arange(count), nodes))
 
 
+def _edges(name: str, value: Any) -> Integers:
+    """Return a copy of edges as (m, 2) integers, for none of them (0, 2)."""
+    edges = np.asarray(value)
+    if edges.size == 0:
+        return np.zeros((0, 2), dtype=np.int64)
+    if edges.ndim != 2 or edges.shape[1] != 2 or edges.dtype.kind not in "iu":
+        raise ValueError(
+            f"{name} must be integers of the shape (edges, 2), not"
+            f" {edges.dtype} of {edges.shape}"
+        )
+    for edge in edges[edges[:, 0] == edges[:, 1]]:
+        raise ValueError(
+            f"{name} must join two different nodes, not {edge.tolist()}"
+        )
+    return edges.astype(np.int64)
+
+
+def _places(name: str, value: Any) -> Array:
+    """Return the places (n, 3) of nodes; refuse infinity and NaN."""
+    place = real(name, value)
+    if place.shape[1:] != (3,) or not np.all(np.isfinite(place)):
+        raise ValueError(
+            f"{name} must be finite and of the shape (nodes, 3), not"
+            f" {place.shape}: {place}"
+        )
+    return place
+
+
+def _masses(name: str, value: Any) -> Array:
+    """Return masses (n,); refuse zero, negative numbers and NaN."""
+    masses = positive(name, value)
+    if masses.ndim != 1:
+        shape = masses.shape
+        raise ValueError(f"{name} must have the shape (nodes,), not {shape}")
+    return masses
+
+
+Edges = Annotated[Integers, _edges]
+"""(m, 2), the nodes at the two ends of each spring; these are two nodes."""
+Places = Annotated[Array, _places]
+"""(n, 3), finite."""
+Masses = Annotated[Array, _masses]
+"""(n,), positive. Infinity is the mass of an immovable node."""
+
+
 def lengths(vector: Array) -> Array:
     """Lengths of the vectors (..., 3).
 
@@ -234,7 +235,7 @@ def lengths(vector: Array) -> Array:
 
 
 def require_nodes(edges: Integers, nodes: int) -> None:
-    """Raise a ValueError if an edge names none of the nodes from 0 on."""
+    """Raise a ValueError unless all ends are nodes from 0 to nodes − 1."""
     for edge in edges[np.any((edges < 0) | (edges >= nodes), axis=1)]:
         raise ValueError(
             f"edges must join nodes from 0 to {nodes - 1}, not {edge.tolist()}"

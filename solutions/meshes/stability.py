@@ -166,11 +166,11 @@ def largest_eigenvalue(
     scale = np.sqrt(mesh.inverse_mass)[:, None]
     x = _start(position.shape)
     for _ in range(max(1, iterations)):
-        onto = scale * mesh_product(mesh, blocks, scale * x)
-        average = dot(x, onto)
-        if np.all(_length(onto - average * x) <= tolerance * average):
+        stretched = scale * mesh_product(mesh, blocks, scale * x)
+        average = dot(x, stretched)
+        if np.all(_length(stretched - average * x) <= tolerance * average):
             break
-        x = quotient(onto, _length(onto))
+        x = quotient(stretched, _length(stretched))
     return average[..., 0, 0]
 
 
@@ -189,9 +189,8 @@ def stable_timestep(
     ----------
     mesh : SpringMesh of n nodes
     position : (..., n, 3), m, finite
-    tolerance : one number, share of dt² k + 2 dt c, as for λ there
-        It is that of `largest_eigenvalue`.
-    iterations : whole number, the most rounds
+    tolerance : one number, as for `largest_eigenvalue`
+    iterations : whole number, as for `largest_eigenvalue`
 
     Returns
     -------
@@ -244,10 +243,10 @@ def stable_timestep(
         c = dot(x, cx)
         dt = quotient(4.0, c + np.sqrt(c * c + 4 * k), np.inf)
         step = np.where(np.isinf(dt), 0.0, dt)
-        onto = step * (step * kx + 2 * cx)
-        if np.all(_length(onto - 4 * x) <= 4 * tolerance):
+        stretched = step * (step * kx + 2 * cx)
+        if np.all(_length(stretched - 4 * x) <= 4 * tolerance):
             break
-        x = quotient(onto, _length(onto))
+        x = quotient(stretched, _length(stretched))
     return dt[..., 0, 0]
 
 

@@ -82,8 +82,8 @@ def implicit_mesh_step(
 
     Vibrations do not grow, however long dt is, but they lose amplitude in
     every step, and high frequencies disappear at once: an angular frequency ω
-    keeps the share 1/√(1 + (ω dt)²) of its amplitude.
-    Momentum is conserved to the tolerance; angular momentum is not.
+    keeps the share 1/√(1 + (ω dt)²) of its amplitude. Momentum is conserved to
+    the tolerance; angular momentum is not.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def implicit_mesh_step(
         It is due to everything else, such as gravity.
     dt : (...), s, positive and finite
     tolerance : one number, of `conjugate_gradient`
-        It is relative to the own mass of each node.
+        It is relative to the mass of each node.
 
     Returns
     -------
