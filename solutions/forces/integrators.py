@@ -304,10 +304,8 @@ Function = Callable[[Array, Array], Array]
 
 def _function(name: str, value: Any) -> Function:
     """A function of position and velocity; a vector becomes a constant one."""
-    if callable(value):
-        return lambda p, v: real(name, value(p, v))
-    constant = real(name, value)
-    return lambda _p, _v: constant
+    acceleration = value if callable(value) else lambda _p, _v: value
+    return lambda p, v: real(name, acceleration(p, v))
 
 
 Acceleration = Annotated[Function, _function]

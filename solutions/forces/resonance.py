@@ -77,11 +77,11 @@ def driven_oscillator(
 
         D′ = iΩ D + S
     """
-    beta, squared, omega, time = np.broadcast_arrays(
-        damping / (2 * mass), stiffness / mass, angular_frequency, t
-    )
-    cosine, sine = free_response(beta, squared, time)
-    driven = _driven_from_rest(beta, squared, omega, time, cosine, sine)
+    beta = damping / (2 * mass)
+    squared = stiffness / mass
+    omega = angular_frequency
+    cosine, sine = free_response(beta, squared, t)
+    driven = _driven_from_rest(beta, squared, omega, t, cosine, sine)
     drive = force / mass * np.exp(1j * phase)
     x, v = damped_oscillator(
         displacement, velocity, stiffness, damping, mass, t

@@ -93,10 +93,8 @@ def total_force(
 def _ends(name: str, value: Any) -> Integers:
     """Return pairs of numbers (S, 2); refuse other shapes."""
     array = np.asarray(value)
-    if array.ndim != 2 or array.shape[1] != 2:
-        raise ValueError(
-            f"{name} must have the shape (S, 2), not {array.shape}"
-        )
+    words = f"{name} must have the shape (S, 2), not {array.shape}"
+    require(array.ndim == 2 and array.shape[1] == 2, words)
     return array
 
 

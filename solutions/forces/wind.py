@@ -112,11 +112,9 @@ def sample_field(
 def _grid(name: str, value: Any) -> Array:
     """The velocities at the nodes of a grid, (nx, ny, nz, 3)."""
     array = real(name, value)
-    if array.ndim != 4 or array.shape[-1] != 3 or 0 in array.shape:
-        shape = array.shape
-        raise ValueError(
-            f"{name} must have shape (nx, ny, nz, 3), not {shape}"
-        )
+    words = f"{name} must have shape (nx, ny, nz, 3), not {array.shape}"
+    vectors = array.ndim == 4 and array.shape[-1] == 3
+    require(vectors and array.size > 0, words)
     return array
 
 

@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from solutions.arrays import Array, Integers
-from solutions.domain import Positive, domain
+from solutions.domain import Positive, domain, require
 
 Offset = tuple[int, ...]
 CLOTH_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
@@ -147,8 +147,7 @@ def _within(shape: Offset, offset: Offset) -> tuple[slice, ...]:
 
 
 def _count(name: str, count: int) -> int:
-    if count < 1:
-        raise ValueError(f"{name} must be at least 1, not {count}")
+    require(count >= 1, f"{name} must be at least 1, not {count}")
     return count
 
 

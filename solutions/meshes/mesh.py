@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.checks import positive, real
+from solutions.checks import finite, positive
 from solutions.domain import (
     FiniteNotNegative,
     Positive,
@@ -185,11 +185,10 @@ def _edges(name: str, value: Any) -> Integers:
     edges = np.asarray(value)
     if edges.size == 0:
         return np.zeros((0, 2), dtype=np.int64)
-    if edges.ndim != 2 or edges.shape[1] != 2 or edges.dtype.kind not in "iu":
-        raise ValueError(
-            f"{name} must be integers of the shape (edges, 2), not"
-            f" {edges.dtype} of {edges.shape}"
-        )
+    pairs = edges.ndim == 2 and edges.shape[1] == 2
+    words = f"{name} must be integers of the shape (edges, 2), not"
+    kind = f"{edges.dtype} of {edges.shape}"
+    require(pairs and edges.dtype.kind in "iu", f"{words} {kind}")
     for edge in edges[edges[:, 0] == edges[:, 1]]:
         raise ValueError(
             f"{name} must join two different nodes, not {edge.tolist()}"
@@ -197,31 +196,25 @@ def _edges(name: str, value: Any) -> Integers:
     return edges.astype(np.int64)
 
 
-def _places(name: str, value: Any) -> Array:
-    """Return the places (n, 3) of nodes; refuse infinity and NaN."""
-    place = real(name, value)
-    if place.shape[1:] != (3,) or not np.all(np.isfinite(place)):
-        raise ValueError(
-            f"{name} must be finite and of the shape (nodes, 3), not"
-            f" {place.shape}: {place}"
-        )
-    return place
+def _per_node(name: str, vectors: Array) -> Array:
+    """Return vectors (n, 3); refuse other shapes."""
+    words = f"{name} must be finite and of the shape (nodes, 3), not"
+    require(vectors.shape[1:] == (3,), f"{words} {vectors.shape}")
+    return vectors
 
 
-def _masses(name: str, value: Any) -> Array:
-    """Return masses (n,); refuse zero, negative numbers and NaN."""
-    masses = positive(name, value)
-    if masses.ndim != 1:
-        shape = masses.shape
-        raise ValueError(f"{name} must have the shape (nodes,), not {shape}")
+def _in_a_row(name: str, masses: Array) -> Array:
+    """Return masses (n,); refuse other shapes."""
+    words = f"{name} must have the shape (nodes,), not"
+    require(masses.ndim == 1, f"{words} {masses.shape}")
     return masses
 
 
 Edges = Annotated[Integers, _edges]
 """(m, 2), the nodes at the two ends of each spring; these are two nodes."""
-Places = Annotated[Array, _places]
+Places = Annotated[Array, finite, _per_node]
 """(n, 3), finite."""
-Masses = Annotated[Array, _masses]
+Masses = Annotated[Array, positive, _in_a_row]
 """(n,), positive. Infinity is the mass of an immovable node."""
 
 

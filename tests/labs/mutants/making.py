@@ -48,14 +48,6 @@ def _springs(mesh: Any) -> SpringMesh:
     return SpringMesh(np.asarray(mesh[0], dtype=int), *_floats(*mesh[1:5]), np.asarray(mesh[5], dtype=bool))
 
 
-def _edges(edges: Any, _nodes: int) -> Any:
-    return np.asarray(edges).reshape(-1, 2)
-
-
-def _vectors(_mesh: Any, _name: str, value: Any) -> Any:
-    return np.asarray(value, dtype=float)
-
-
 def _points(_size: int, **named: Any) -> Any:
     return np.stack(np.broadcast_arrays(*_floats(*named.values())))
 
@@ -78,7 +70,7 @@ CHECKS = dict.fromkeys(
     ),
     _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats, "checked_mesh": _mesh, "_points": _points}
-CHECKS |= {"as_mesh": _springs, "checked_edges": _edges, "node_vectors": _vectors}
+CHECKS |= {"as_mesh": _springs}
 """What stands for the checks of what enters: they turn lists into arrays."""
 OF_A_WORLD = ("candidate_pairs", "collect_contacts", "resting_problem", "solve_by_sweeps", "respond",
               "rotate_by_momentum")  # fmt: skip
