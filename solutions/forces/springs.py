@@ -127,9 +127,13 @@ def spring_damper_force(
     The slide writes (x' − x_rest) k − v k_d with the current position x'. Its
     spring has the wrong sign, and the motion runs away whatever the damping.
     """
-    return spring_force(
-        position_1, position_2, stiffness, rest_length
-    ) + damper_force(position_1, position_2, velocity_1, velocity_2, damping)
+    d = position_1 - position_2
+    u = direction(d)
+    stretch = np.linalg.norm(d, axis=-1) - rest_length
+    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)
+    spring = -(stiffness * stretch)[..., None] * u
+    damper = -(damping * lengthening)[..., None] * u
+    return spring + damper
 
 
 @domain

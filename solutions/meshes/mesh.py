@@ -185,10 +185,11 @@ def _edges(name: str, value: Any) -> Integers:
     edges = np.asarray(value)
     if edges.size == 0:
         return np.zeros((0, 2), dtype=np.int64)
-    pairs = edges.ndim == 2 and edges.shape[1] == 2
-    words = f"{name} must be integers of the shape (edges, 2), not"
-    kind = f"{edges.dtype} of {edges.shape}"
-    require(pairs and edges.dtype.kind in "iu", f"{words} {kind}")
+    if edges.ndim != 2 or edges.shape[1] != 2 or edges.dtype.kind not in "iu":
+        raise ValueError(
+            f"{name} must be integers of the shape (edges, 2), not"
+            f" {edges.dtype} of {edges.shape}"
+        )
     for edge in edges[edges[:, 0] == edges[:, 1]]:
         raise ValueError(
             f"{name} must join two different nodes, not {edge.tolist()}"
