@@ -156,7 +156,7 @@ def real(name: str, value: ArrayLike) -> Array:
 
 
 def _only(name: str, array: Array, right: Booleans, words: str) -> Array:
-    if not np.all(right):
+    if not right.all():
         wrong = array[~right][0]
         raise ValueError(f"{name} must be {words}, not {wrong:g}")
     return array

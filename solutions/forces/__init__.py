@@ -1,9 +1,45 @@
-"""Gravity, viscosity, springs, and their integrators (slides 23, 25 to 27, 29, 30).
+"""Gravity, viscosity, springs and wind, and what makes motion of them.
 
-The integrators turn the sum of all forces into motion.
+The slides are 23, 25 to 27, 29 and 30.
 
-An argument without physical meaning is refused, such as a negative mass or a viscosity
-that is not a number. The `ValueError` names the argument and its value.
+Gravity (slides 23 and 25)
+- `uniform_gravity`: the weight of a body.
+- `universal_gravity`: the pull of one body on another.
+- `surface_gravity`: the acceleration of free fall at a distance.
+- `universal_gravity_energy`: the energy of two bodies that attract each other.
+- `mutual_gravity`: the pull on every body of a group.
+
+Springs and dampers (slides 24, 27 and 29)
+- `spring_force`, `damper_force`, `spring_damper_force`: on end 1 of a spring.
+- `spring_energy`: what is stored in it.
+- `natural_frequency`, `damping_ratio`: how a mass on a spring swings.
+- `spring_step_limit`: the longest stable steps of both Eulers.
+- `damped_oscillator`, `friction_oscillator`, `driven_oscillator`: the exact
+  motion of a mass on a spring.
+
+A fluid (slide 26)
+- `stokes_drag`: the drag of a slow, thick flow on a ball.
+- `buoyancy`: the lift that the slide forgets.
+- `terminal_velocity`: of a sphere that falls steadily.
+- `relaxation_time`, `drag_motion`: how a body comes to this velocity.
+- `sphere_shape_factor`, `spheroid_shape_factors`: drag and shape.
+- `reynolds_number`, `check_stokes_regime`: where Stokes' drag ends.
+- `drag_correction`, `terminal_velocity_corrected`: what holds beyond.
+
+Wind (slide 30)
+- `wind_force`: of a wind on a body.
+- `sample_field`: the velocity of the wind at a position.
+
+All forces, and motion (slide 30)
+- `total_force`: the sum of all forces on each ball of a scene.
+- `explicit_euler`, `semi_implicit_euler`, `velocity_verlet`, `runge_kutta_4`,
+  `implicit_euler`: a step.
+- `ballistic_motion`: the exact motion under a constant acceleration.
+- `evaluate_forces`, `acceleration_of`, `audit_energy`: any forces, by name.
+
+An argument without physical meaning is refused, such as a negative mass or a
+viscosity that is not a number. The `ValueError` names the argument and its
+value.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Forces of any kind on all bodies by name, and an audit of the energy (slides 23, 30).
+"""Forces of any kind on all bodies, by name (slides 23 and 30).
 
-The audit says how much energy each force brings in. The sum of the lab's own forces is
-in `total`.
+An audit of the energy says how much of it each force brings in. The sum of the
+lab's own forces is in `total`.
 """
 
 from __future__ import annotations
@@ -14,13 +14,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import positive
+from solutions.checks import of_shape, real
+from solutions.domain import Number, Positive, domain, require
 
 Tag = Literal["position", "velocity", "interaction"]
 """What a force depends on, as slide 30 sorts the forces.
 
-Springs and gravity depend on the position. Viscosity, wind and dampers depend on the
-velocity. Friction and contacts depend on the interaction of bodies.
+Springs and gravity depend on the position. Viscosity, wind and dampers depend
+on the velocity. Friction and contacts depend on the interaction of bodies.
 """
 
 
@@ -34,7 +35,7 @@ class Force:
     tag : what the force depends on
     force : function of position and velocity, each (..., N, 3), m, m/s
         It returns the force on each body, (..., N, 3), N.
-    potential : function of the position, (..., N, 3), m, for a conservative force
+    potential : function of the position, (..., N, 3), m, if it is conservative
         It returns the potential energy of the whole system, (...), J.
 
     Raises
@@ -49,16 +50,14 @@ class Force:
     potential: Callable[[Array], ArrayLike] | None = None
 
     def __post_init__(self) -> None:
-        if self.tag not in get_args(Tag):
-            raise ValueError(
-                f"tag must be one of {', '.join(get_args(Tag))}, not {self.tag!r}"
-            )
+        tags = get_args(Tag)
+        words = f"tag must be one of {', '.join(tags)}, not {self.tag!r}"
+        require(self.tag in tags, words)
 
 
+@domain
 def evaluate_forces(
-    forces: Sequence[Force],
-    position: ArrayLike,
-    velocity: ArrayLike,
+    forces: Sequence[Force], position: Number, velocity: Number
 ) -> dict[str, Array]:
     """Every force on each body, by the force's name (slide 30).
 
@@ -76,25 +75,23 @@ def evaluate_forces(
     ValueError
         If two forces have the same name.
     """
-    if len({each.name for each in forces}) < len(forces):
-        raise ValueError(
-            f"forces must have names of their own, not {', '.join(each.name for each in forces)}"
-        )
-    p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
-    shape = np.broadcast_shapes(p.shape, v.shape)
+    names = [force.name for force in forces]
+    words = f"forces must have names of their own, not {', '.join(names)}"
+    require(len(set(names)) == len(names), words)
+    shape = np.broadcast_shapes(position.shape, velocity.shape)
     return {
-        each.name: np.broadcast_to(
-            np.asarray(each.force(p, v), dtype=float), shape
+        force.name: of_shape(
+            force.name, force.force(position, velocity), shape
         )
-        for each in forces
+        for force in forces
     }
 
 
+@domain
 def acceleration_of(
-    forces: Sequence[Force],
-    mass: ArrayLike,
+    forces: Sequence[Force], mass: Positive
 ) -> Callable[[Array, Array], Array]:
-    """Acceleration by the forces, as the function that integrators take (slide 30).
+    """Acceleration by the forces, as a function for integrators (slide 30).
 
     Parameters
     ----------
@@ -109,8 +106,7 @@ def acceleration_of(
     Raises
     ------
     ValueError
-        If a mass is not positive. The function returned raises it if two forces have
-        the same name.
+        The function returned raises it if two forces have the same name.
 
     Notes
     -----
@@ -118,21 +114,17 @@ def acceleration_of(
 
         a = F/m
 
-    where F is the sum of all forces on the body. It is zero if there are no forces.
+    where F is the sum of all forces on the body. It is zero if there are no
+    forces.
     """
-    m = positive("mass", mass)[..., None]
 
     def acceleration(position: Array, velocity: Array) -> Array:
-        zero = np.zeros(
+        total = np.zeros(
             np.broadcast_shapes(np.shape(position), np.shape(velocity))
         )
-        return np.asarray(
-            sum(
-                evaluate_forces(forces, position, velocity).values(),
-                start=zero,
-            )
-            / m
-        )
+        for force in evaluate_forces(forces, position, velocity).values():
+            total = total + force
+        return total / mass[..., None]
 
     return acceleration
 
@@ -158,82 +150,70 @@ class EnergyAudit:
 
         It is the error of the integrator and of the audit.
         """
-        return np.asarray(
-            self.kinetic - self.kinetic[0] - sum(self.work.values())
-        )
+        return self.kinetic - self.kinetic[0] - sum(self.work.values())
 
     def mechanical(self) -> Array:
         """Kinetic and potential energy together, (T,), J.
 
         It is constant if all forces are conservative.
         """
-        return np.asarray(self.kinetic + sum(self.potential.values()))
+        return self.kinetic + sum(self.potential.values())
 
 
+@domain
 def audit_energy(
     forces: Sequence[Force],
-    mass: ArrayLike,
-    position: ArrayLike,
-    velocity: ArrayLike,
-    dt: ArrayLike,
+    mass: Positive,
+    position: Number,
+    velocity: Number,
+    dt: Number,
 ) -> EnergyAudit:
     """Account for the energy of a run (slide 30).
 
     Parameters
     ----------
     forces : each with a name of its own
-    mass : (N,), kg
+    mass : (N,), kg, above zero
     position, velocity : (T, N, 3), m, m/s, at equal or unequal intervals
     dt : (T − 1,) or one number, s, between the states
 
     Returns
     -------
     EnergyAudit
-        The work of each force is wrong by an error of the order of dt². What an impulse
-        brings in is not the work of any force, and it appears in the residual.
+        The work of each force is wrong by an error of the order of dt². What
+        an impulse brings in is not the work of any force, and it appears in
+        the residual.
 
     Raises
     ------
     ValueError
-        If position and velocity do not have the same shape (T, N, 3), a mass is not
-        positive, or two forces have the same name.
+        If position and velocity do not have the same shape (T, N, 3), or two
+        forces have the same name.
 
     Notes
     -----
-    The work of a force is the integral of its power over time. The power F·v is known
-    at the T states. The trapezoidal rule takes it as linear between two states, so that
-    an interval of length dt adds the mean of its two powers times dt.
+    The work of a force is the integral of its power over time. The power F·v
+    is known at the T states. The trapezoidal rule takes it as linear between
+    two states, so that an interval of length dt adds the mean of its two
+    powers times dt.
     """
-    p, v, m = (
-        np.asarray(position, dtype=float),
-        np.asarray(velocity, dtype=float),
-        positive("mass", mass),
-    )
-    if p.ndim != 3 or p.shape != v.shape:
-        raise ValueError(
-            f"position and velocity must have the same shape (T, N, 3), not {p.shape} and {v.shape}"
-        )
-    kinetic = (
-        np.sum(np.where(np.isfinite(m), m, 0.0)[:, None] * v**2, axis=(1, 2))
-        / 2
-    )
-    found = evaluate_forces(forces, p, v)
+    p, v = position.shape, velocity.shape
+    words = "position and velocity must have the same shape (T, N, 3), not"
+    require(len(p) == 3 and p == v, f"{words} {p} and {v}")
+    movable = np.where(np.isfinite(mass), mass, 0.0)
+    kinetic = np.sum(movable[:, None] * velocity**2, axis=(1, 2)) / 2
     work = {
-        name: _integral(_power(force, v), np.asarray(dt, dtype=float))
-        for name, force in found.items()
+        name: _integral(np.sum(force * velocity, axis=(-2, -1)), dt)
+        for name, force in evaluate_forces(forces, position, velocity).items()
     }
     potential = {
-        each.name: np.asarray(each.potential(p), dtype=float)
-        for each in forces
-        if each.potential is not None
+        force.name: real(force.name, force.potential(position))
+        for force in forces
+        if force.potential is not None
     }
     return EnergyAudit(kinetic, work, potential)
 
 
-def _power(force: Array, velocity: Array) -> Array:
-    return np.asarray(np.sum(force * velocity, axis=(-2, -1)))
-
-
 def _integral(rate: Array, dt: Array) -> Array:
-    """Integral of a rate (T,) from the start to each instant, by trapezoids."""
+    """Integral of a rate (T,) up to each instant, by trapezoids."""
     return np.concatenate([[0.0], np.cumsum((rate[1:] + rate[:-1]) / 2 * dt)])

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import not_negative, vector
+from solutions.domain import NotNegative, Triple, domain
 
 
+@domain
 def stokes_drag(
-    velocity: ArrayLike,
-    fluid_velocity: ArrayLike,
-    viscosity: ArrayLike,
-    radius: ArrayLike,
+    velocity: Triple,
+    fluid_velocity: Triple,
+    viscosity: NotNegative,
+    radius: NotNegative,
 ) -> Array:
     """Drag of a thick fluid on a ball that moves slowly through it (slide 26).
 
@@ -32,12 +32,6 @@ def stokes_drag(
     (..., 3), on the ball, N
         A ball that drifts along with the fluid feels no force.
 
-    Raises
-    ------
-    ValueError
-        If viscosity or radius is negative, or a velocity does not have three
-        components.
-
     Notes
     -----
     The drag is
@@ -50,20 +44,13 @@ def stokes_drag(
     has the K of a sphere, and `spheroid_shape_factors` those of longer and
     flatter bodies.
     """
-    relative = vector("velocity", velocity) - vector(
-        "fluid_velocity", fluid_velocity
-    )
-    size = (
-        6
-        * np.pi
-        * not_negative("radius", radius)
-        * not_negative("viscosity", viscosity)
-    )
-    return np.asarray(-size[..., None] * relative)
+    relative = velocity - fluid_velocity
+    return -(6 * np.pi * radius * viscosity)[..., None] * relative
 
 
+@domain
 def buoyancy(
-    volume: ArrayLike, fluid_density: ArrayLike, gravity: ArrayLike
+    volume: NotNegative, fluid_density: NotNegative, gravity: Triple
 ) -> Array:
     """Lift by the fluid that a body displaces (slide 26).
 
@@ -79,23 +66,14 @@ def buoyancy(
     -------
     (..., 3), N, against gravity
 
-    Raises
-    ------
-    ValueError
-        If volume or fluid_density is negative, or gravity does not have three
-        components.
-
     Notes
     -----
-    Imagine that the body is replaced by fluid at rest. The pressure around it is the
-    same as before, and it carries the weight ρ_f V g of this fluid. So the pressure
-    exerts the force
+    Imagine that the body is replaced by fluid at rest. The pressure around it
+    is the same as before, and it carries the weight ρ_f V g of this fluid. So
+    the pressure exerts the force
 
         F = −ρ_f V g
 
     on the fluid, and also on the body in its place.
     """
-    displaced = not_negative("fluid_density", fluid_density) * not_negative(
-        "volume", volume
-    )
-    return np.asarray(-displaced[..., None] * vector("gravity", gravity))
+    return -(fluid_density * volume)[..., None] * gravity

@@ -5,58 +5,29 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, vector
+from solutions.domain import (
+    FinitePositive,
+    NotNegative,
+    Number,
+    Positive,
+    Triple,
+    domain,
+    require,
+)
 from solutions.forces.correlations import LARGEST_REYNOLDS, drag_correction
 from solutions.forces.reynolds import check_stokes_regime, reynolds_number
+from solutions.vectors import quotient
 
 
-def relaxation_time(
-    mass: ArrayLike,
-    shape_factor: ArrayLike,
-    viscosity: ArrayLike,
-) -> Array:
-    """Time in which drag takes away all but 1/e of a velocity.
-
-    Parameters
-    ----------
-    mass : (...), m, kg, above zero
-    shape_factor : (...), K, m, above zero
-    viscosity : (...), η, Pa s, above zero
-
-    Returns
-    -------
-    (...), τ, s
-        The fluid that moves along with the body, which is its added mass, is left out.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not positive.
-
-    Notes
-    -----
-    With drag alone, m dv/dt = −K η v. The velocity is then v0 e^(−t/τ) with
-
-        τ = m/(K η)
-    """
-    return np.asarray(
-        positive("mass", mass)
-        / (
-            positive("shape_factor", shape_factor)
-            * positive("viscosity", viscosity)
-        )
-    )
-
-
+@domain
 def terminal_velocity(
-    radius: ArrayLike,
-    density: ArrayLike,
-    fluid_density: ArrayLike,
-    viscosity: ArrayLike,
-    gravity: ArrayLike,
+    radius: Positive,
+    density: NotNegative,
+    fluid_density: NotNegative,
+    viscosity: Positive,
+    gravity: Triple,
 ) -> Array:
     """Velocity of a sphere that falls steadily through a fluid (slide 26).
 
@@ -76,12 +47,6 @@ def terminal_velocity(
         It is along gravity for a sphere that is denser than the fluid, and
         against gravity for a lighter one: a bubble rises.
 
-    Raises
-    ------
-    ValueError
-        If radius or viscosity is not positive, a density is negative, or
-        gravity does not have three components.
-
     Warns
     -----
     StokesRegimeWarning
@@ -100,27 +65,50 @@ def terminal_velocity(
 
         v_t = 2 (ρ_s − ρ_f) r² g/(9 η)
     """
-    r, eta, rho = (
-        positive("radius", radius),
-        positive("viscosity", viscosity),
-        not_negative("density", density),
-    )
-    excess = rho - not_negative("fluid_density", fluid_density)
-    found = np.asarray(
-        (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
-    )
+    excess = density - fluid_density
+    velocity = (2 * excess * radius**2 / (9 * viscosity))[..., None] * gravity
     check_stokes_regime(
-        reynolds_number(found, np.zeros(3), r, fluid_density, eta)
+        reynolds_number(
+            velocity, np.zeros(3), radius, fluid_density, viscosity
+        )
     )
-    return found
+    return velocity
 
 
+@domain
+def relaxation_time(
+    mass: Positive, shape_factor: Positive, viscosity: Positive
+) -> Array:
+    """Time in which drag takes away all but 1/e of a velocity.
+
+    Parameters
+    ----------
+    mass : (...), m, kg, above zero
+    shape_factor : (...), K, m, above zero
+    viscosity : (...), η, Pa s, above zero
+
+    Returns
+    -------
+    (...), τ, s
+        The fluid that moves along with the body, which is its added mass, is
+        left out.
+
+    Notes
+    -----
+    With drag alone, m dv/dt = −K η v. The velocity is then v0 e^(−t/τ) with
+
+        τ = m/(K η)
+    """
+    return mass / (shape_factor * viscosity)
+
+
+@domain
 def drag_motion(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    terminal: ArrayLike,
-    relaxation: ArrayLike,
-    dt: ArrayLike,
+    position: Triple,
+    velocity: Triple,
+    terminal: Triple,
+    relaxation: FinitePositive,
+    dt: Number,
 ) -> tuple[Array, Array]:
     """State after a time dt under constant forces and linear drag, exactly.
 
@@ -129,8 +117,8 @@ def drag_motion(
     position : (..., 3), p0, m
     velocity : (..., 3), v0, m/s
     terminal : (..., 3), v_t, terminal velocity as seen from the ground, m/s
-        In a wind, it is the velocity of the wind plus the terminal velocity relative to
-        the wind.
+        In a wind, it is the velocity of the wind plus the terminal velocity
+        relative to the wind.
     relaxation : (...), τ, s, above zero and finite
     dt : (...), t, s
 
@@ -138,54 +126,42 @@ def drag_motion(
     -------
     position, velocity : (..., 3) each, m, m/s
 
-    Raises
-    ------
-    ValueError
-        If relaxation is not positive or not finite, or a vector does not have three
-        components.
-
     Notes
     -----
-    The difference between the velocity and the terminal velocity decays, because at v_t
-    all forces are in balance and the drag is linear: dv/dt = −(v − v_t)/τ. The solution
-    of this equation, and its integral over time, are
+    At the velocity v_t all forces are in balance, and the drag is linear. So
+    the difference between the velocity and v_t decays:
+
+        dv/dt = −(v − v_t)/τ
+
+    The solution of this equation, and its integral over time, are
 
         v = v_t + (v0 − v_t) e^(−t/τ)
         p = p0 + v_t t + (v0 − v_t) τ (1 − e^(−t/τ))
 
-    From rest this is a fall with the velocity v_t (1 − e^(−t/τ)). Where there is next
-    to no drag, v_t is as long as τ, and the two terms with v_t are nearly opposite.
-    Together they are v_t τ (x − 1 + e^(−x)) with x = t/τ, which is summed as a power
-    series where x is small.
+    From rest this is a fall with the velocity v_t (1 − e^(−t/τ)). Where there
+    is next to no drag, v_t is as long as τ, and the two terms with v_t are
+    nearly opposite. Together they are
+
+        v_t τ (x − 1 + e^(−x)),    x = t/τ
+
+    which is summed as a power series where x is small.
     """
-    p, v, last = (
-        vector("position", position),
-        vector("velocity", velocity),
-        vector("terminal", terminal),
-    )
-    tau = finite("relaxation", positive("relaxation", relaxation))[..., None]
-    time = np.asarray(dt, dtype=float)[..., None]
-    lost = -np.expm1(-time / tau)
-    return p + v * tau * lost + last * tau * _falling_behind(time / tau), v + (
-        last - v
-    ) * lost
+    tau = relaxation[..., None]
+    x = dt[..., None] / tau
+    lost = -np.expm1(-x)
+    behind = terminal * tau * _falling_behind(x)
+    p = position + velocity * tau * lost + behind
+    v = velocity + (terminal - velocity) * lost
+    return p, v
 
 
-def _falling_behind(x: Array) -> Array:
-    """Return x − 1 + e^(−x), with all its digits."""
-    small = np.where(np.abs(x) < 0.5, x, 0.0)
-    series = np.zeros_like(small)
-    for k in range(16, 1, -1):
-        series = (1 - small * series) / k
-    return np.where(np.abs(x) < 0.5, small * small * series, x + np.expm1(-x))
-
-
+@domain
 def terminal_velocity_corrected(
-    radius: ArrayLike,
-    density: ArrayLike,
-    fluid_density: ArrayLike,
-    viscosity: ArrayLike,
-    gravity: ArrayLike,
+    radius: Positive,
+    density: NotNegative,
+    fluid_density: NotNegative,
+    viscosity: Positive,
+    gravity: Triple,
     correction: Callable[[Array], Array] = drag_correction,
 ) -> Array:
     """Velocity of steady fall of a sphere with its measured drag.
@@ -199,60 +175,54 @@ def terminal_velocity_corrected(
     fluid_density : (...), ρ_f, kg/m³, not negative
     viscosity : (...), η, Pa s, above zero
     gravity : (..., 3), m/s²
-    correction : function φ of the Reynolds number (...)
+    correction : function φ of the Reynolds number (...), without a unit
         It returns the true drag over Stokes' drag, more than half of it.
 
     Returns
     -------
     (..., 3), m/s, relative to the fluid
-        It is along gravity for a sphere that is denser than the fluid, and against
-        gravity for a lighter one.
+        It is along gravity for a sphere that is denser than the fluid, and
+        against gravity for a lighter one.
 
     Raises
     ------
     ValueError
-        If the fall is faster than the correction is known for. If radius or viscosity
-        is not positive, a density is negative, or gravity does not have three
-        components.
+        If the fall is faster than the correction is known for.
 
     Notes
     -----
-    Stokes' law predicts a fall with some Reynolds number S. In a steady fall the drag
-    equals the weight less the buoyancy, so the true drag is Stokes' drag at S. The true
-    drag at the Reynolds number Re is φ(Re) times Stokes' drag at Re, and Stokes' drag
-    is proportional to Re. Therefore
+    Stokes' law predicts a fall with some Reynolds number S. In a steady fall
+    the drag equals the weight less the buoyancy, so the true drag is Stokes'
+    drag at S. The true drag at the Reynolds number Re is φ(Re) times Stokes'
+    drag at Re, and Stokes' drag is proportional to Re. Therefore
 
         Re φ(Re) = S
 
-    The left side grows with Re. A fit may put φ a little below 1 in a slow flow, so the
-    search begins with Re between 0 and 2 S. Halving this interval sixty times finds Re
-    to the last digit but one.
+    The left side grows with Re. A fit may put φ a little below 1 in a slow
+    flow, so the search begins with Re between 0 and 2 S. Halving this interval
+    sixty times finds Re to the last digit but one.
     """
-    r, rho, eta = (
-        positive("radius", radius),
-        not_negative("fluid_density", fluid_density),
-        positive("viscosity", viscosity),
-    )
-    excess = not_negative("density", density) - rho
-    stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector(
-        "gravity", gravity
-    )
-    target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
-    low, high = np.zeros_like(target), np.minimum(2 * target, LARGEST_REYNOLDS)
-    if np.any(high * correction(high) < target):
-        raise ValueError(
-            f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}"
-        )
+    excess = density - fluid_density
+    stokes = (2 * excess * radius**2 / (9 * viscosity))[..., None] * gravity
+    speed = np.linalg.norm(stokes, axis=-1)
+    target = 2 * radius * fluid_density * speed / viscosity
+    low = np.zeros_like(target)
+    high = np.minimum(2 * target, LARGEST_REYNOLDS)
+    words = "the fall is too fast: its Reynolds number is above"
+    known = high * correction(high) >= target
+    require(known, f"{words} {LARGEST_REYNOLDS:g}")
     for _ in range(60):
         middle = (low + high) / 2
         slower = middle * correction(middle) < target
-        low, high = (
-            np.where(slower, middle, low),
-            np.where(slower, high, middle),
-        )
-    return np.asarray(
-        stokes
-        * np.where(target > 0, high / np.where(target > 0, target, 1.0), 1.0)[
-            ..., None
-        ]
-    )
+        low = np.where(slower, middle, low)
+        high = np.where(slower, high, middle)
+    return stokes * quotient(high, target, 1.0)[..., None]
+
+
+def _falling_behind(x: Array) -> Array:
+    """Return x − 1 + e^(−x), with all its digits."""
+    small = np.where(np.abs(x) < 0.5, x, 0.0)
+    series = np.zeros_like(small)
+    for k in range(16, 1, -1):
+        series = (1 - small * series) / k
+    return np.where(np.abs(x) < 0.5, small * small * series, x + np.expm1(-x))

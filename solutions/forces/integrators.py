@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
+from solutions.checks import real
+from solutions.domain import Number, domain
 
-Acceleration = ArrayLike | Callable[[Array, Array], ArrayLike]
-"""A constant acceleration (..., 3), m/s², or a function that returns it.
-
-The function takes the position and the velocity.
-"""
 _MOST_ITERATIONS = 30
 _CONVERGED = 1e-12
 """Change of an iteration at which Newton's method stops.
@@ -22,11 +19,9 @@ It is measured in units of the largest velocity component.
 """
 
 
+@domain
 def ballistic_motion(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: ArrayLike,
-    dt: ArrayLike,
+    position: Number, velocity: Number, acceleration: Number, dt: Number
 ) -> tuple[Array, Array]:
     """State after a time dt of constant acceleration, exactly.
 
@@ -43,20 +38,20 @@ def ballistic_motion(
 
     Notes
     -----
-    A constant acceleration adds a dt to the velocity. The mean velocity over the time
-    is then v + a dt/2, and this times dt is the displacement:
+    A constant acceleration adds a dt to the velocity. The mean velocity over
+    the time is then v + a dt/2, and this times dt is the displacement:
 
-        p' = p + v dt + a dt²/2,    v' = v + a dt
+        p' = p + v dt + a dt²/2
+        v' = v + a dt
     """
-    p, v, a, time = _state(position, velocity, acceleration, dt)
-    return p + v * time + a * time * time / 2, v + a * time
+    dt = dt[..., None]
+    after = position + velocity * dt + acceleration * dt * dt / 2
+    return after, velocity + acceleration * dt
 
 
+@domain
 def explicit_euler(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: Acceleration,
-    dt: ArrayLike,
+    position: Number, velocity: Number, acceleration: Acceleration, dt: Number
 ) -> tuple[Array, Array]:
     """State after one step of explicit Euler.
 
@@ -78,24 +73,25 @@ def explicit_euler(
     -----
     The step is
 
-        p' = p + v dt,    v' = v + a dt
+        p' = p + v dt
+        v' = v + a dt
 
     Like the integrators that need it at other places as well, this one also
     takes the acceleration as a function of position and velocity.
 
-    An undamped spring gains energy in every step, however short. With a = −ω²
-    p, put the step into the energy: ω² p'² + v'² is (1 + ω² dt²) times ω² p² +
-    v², because the mixed terms cancel.
+    An undamped spring gains energy in every step, however short. Put the step
+    into the energy, with a = −ω² p. The mixed terms cancel:
+
+        ω² p'² + v'² = (1 + ω² dt²)(ω² p² + v²)
     """
-    p, v, a, time = _state(position, velocity, acceleration, dt)
-    return p + v * time, v + a * time
+    a = acceleration(position, velocity)
+    dt = dt[..., None]
+    return position + velocity * dt, velocity + a * dt
 
 
+@domain
 def semi_implicit_euler(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: Acceleration,
-    dt: ArrayLike,
+    position: Number, velocity: Number, acceleration: Acceleration, dt: Number
 ) -> tuple[Array, Array]:
     """State after one step of semi-implicit Euler.
 
@@ -118,30 +114,33 @@ def semi_implicit_euler(
     -----
     The step is
 
-        v' = v + a dt,    p' = p + v' dt
+        v' = v + a dt
+        p' = p + v' dt
 
     The energy of an undamped spring swings about a constant and does not
-    drift. With a = −ω² p, each step leaves ω² p² + v² − ω² p·v dt exactly as
-    it was, and this differs from twice the energy of a unit mass only by a
-    term that swings.
+    drift. With a = −ω² p, each step leaves
+
+        ω² p² + v² − ω² p·v dt
+
+    exactly as it was, and this differs from twice the energy of a unit mass
+    only by a term that swings.
     """
-    p, v, a, time = _state(position, velocity, acceleration, dt)
-    after = v + a * time
-    return p + after * time, after
+    a = acceleration(position, velocity)
+    dt = dt[..., None]
+    after = velocity + a * dt
+    return position + after * dt, after
 
 
+@domain
 def velocity_verlet(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: Acceleration,
-    dt: ArrayLike,
+    position: Number, velocity: Number, acceleration: Acceleration, dt: Number
 ) -> tuple[Array, Array]:
     """State after one step of velocity Verlet.
 
-    The acceleration at the start of the step moves the position. The mean of the
-    accelerations at the start and at the end of the step changes the velocity. The
-    method is of second order, and it is symplectic where the acceleration depends only
-    on the position.
+    The acceleration at the start of the step moves the position. The mean of
+    the accelerations at the start and at the end of the step changes the
+    velocity. The method is of second order, and it is symplectic where the
+    acceleration depends only on the position.
 
     Parameters
     ----------
@@ -158,27 +157,29 @@ def velocity_verlet(
     -----
     With the acceleration a' at the end of the step, the step is
 
-        p' = p + v dt + a dt²/2,    v' = v + (a + a') dt/2
+        p' = p + v dt + a dt²/2
+        v' = v + (a + a') dt/2
 
-    The acceleration a' is taken at p'. Where it depends on the velocity too, it is
-    taken at the predicted velocity v + a dt, because v' is not known yet.
+    The acceleration a' is taken at p'. Where it depends on the velocity too,
+    it is taken at the predicted velocity v + a dt, because v' is not known
+    yet.
     """
-    p, v, a, time = _state(position, velocity, acceleration, dt)
-    after = p + v * time + a * time * time / 2
-    return after, v + (a + _at(acceleration, after, v + a * time)) * time / 2
+    a = acceleration(position, velocity)
+    dt = dt[..., None]
+    after = position + velocity * dt + a * dt * dt / 2
+    a_after = acceleration(after, velocity + a * dt)
+    return after, velocity + (a + a_after) * dt / 2
 
 
+@domain
 def runge_kutta_4(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: Acceleration,
-    dt: ArrayLike,
+    position: Number, velocity: Number, acceleration: Acceleration, dt: Number
 ) -> tuple[Array, Array]:
     """State after one step of the classical Runge–Kutta method.
 
-    It takes four accelerations and weights them 1 : 2 : 2 : 1. The first is at the
-    start of the step, two are in its middle, and the last is at its end. The method is
-    of fourth order and not symplectic.
+    It takes four accelerations and weights them 1 : 2 : 2 : 1. The first is at
+    the start of the step, two are in its middle, and the last is at its end.
+    The method is of fourth order and not symplectic.
 
     Parameters
     ----------
@@ -193,8 +194,8 @@ def runge_kutta_4(
 
     Notes
     -----
-    Each stage starts from the beginning of the step, and takes its slope from the stage
-    before:
+    Each stage starts from the beginning of the step, and takes its slope from
+    the stage before:
 
         a1 = a(p, v)
         v2 = v + a1 dt/2,    a2 = a(p + v dt/2, v2)
@@ -209,36 +210,37 @@ def runge_kutta_4(
 
     An undamped spring very slowly loses energy.
     """
-    p, v, a1, time = _state(position, velocity, acceleration, dt)
-    v2 = v + a1 * time / 2
-    a2 = _at(acceleration, p + v * time / 2, v2)
-    v3 = v + a2 * time / 2
-    a3 = _at(acceleration, p + v2 * time / 2, v3)
-    v4 = v + a3 * time
-    a4 = _at(acceleration, p + v3 * time, v4)
-    return p + (v + 2 * v2 + 2 * v3 + v4) * time / 6, v + (
-        a1 + 2 * a2 + 2 * a3 + a4
-    ) * time / 6
+    p, v, a = position, velocity, acceleration
+    dt = dt[..., None]
+    a1 = a(p, v)
+    v2 = v + a1 * dt / 2
+    a2 = a(p + v * dt / 2, v2)
+    v3 = v + a2 * dt / 2
+    a3 = a(p + v2 * dt / 2, v3)
+    v4 = v + a3 * dt
+    a4 = a(p + v3 * dt, v4)
+    p_after = p + (v + 2 * v2 + 2 * v3 + v4) * dt / 6
+    v_after = v + (a1 + 2 * a2 + 2 * a3 + a4) * dt / 6
+    return p_after, v_after
 
 
+@domain
 def implicit_euler(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: Acceleration,
-    dt: ArrayLike,
+    position: Number, velocity: Number, acceleration: Acceleration, dt: Number
 ) -> tuple[Array, Array]:
     """State after one step of implicit Euler.
 
-    Everything is taken as it will be at the end of the step. The method is of first
-    order and stable for any step, and it damps motion that it cannot follow.
+    Everything is taken as it will be at the end of the step. The method is of
+    first order and stable for any step, and it damps motion that it cannot
+    follow.
 
     Parameters
     ----------
     position, velocity : (..., n), p and v, m, m/s
-        Components along the last axis may depend on each other. There are n = 3 for
-        bodies that do not know of each other, and n = 3 N, all in a row, for N bodies
-        in a mesh.
-    acceleration : (..., n), m/s², or a function of position and velocity, each (..., n)
+        Components along the last axis may depend on each other. There are
+        n = 3 for bodies that do not know of each other, and n = 3 N, all in a
+        row, for N bodies in a mesh.
+    acceleration : (..., n), a, m/s², or a function of position and velocity
     dt : (...), s
 
     Returns
@@ -254,66 +256,61 @@ def implicit_euler(
     -----
     The step is
 
-        v' = v + a(p', v') dt,    p' = p + v' dt
+        v' = v + a(p', v') dt
+        p' = p + v' dt
 
-    The velocity v' appears on both sides. If p' is put into the first equation, v' is
-    the root of v' − v − a(p + v' dt, v') dt. Newton's method finds this root, with the
-    derivatives taken by differences. For springs and dampers that are linear, one
-    iteration is enough.
+    The velocity v' appears on both sides. If p' is put into the first
+    equation, v' is the root of
+
+        v' − v − a(p + v' dt, v') dt
+
+    Newton's method finds this root, with the derivatives taken by differences.
+    For springs and dampers that are linear, one iteration is enough.
     """
-    p, v, a, time = _state(position, velocity, acceleration, dt)
+    dt = dt[..., None]
 
     def change(after: Array) -> Array:
-        return np.asarray(_at(acceleration, p + after * time, after) * time)
+        return acceleration(position + after * dt, after) * dt
 
-    after = v + a * time
+    after = velocity + acceleration(position, velocity) * dt
     for _ in range(_MOST_ITERATIONS):
-        wrong = after - v - change(after)
-        correction = np.linalg.solve(
-            _jacobian(change, after), wrong[..., None]
-        )[..., 0]
+        wrong = after - velocity - change(after)
+        slope = _jacobian(change, after)
+        correction = np.linalg.solve(slope, wrong[..., None])[..., 0]
         after = after - correction
-        if np.max(np.abs(correction), initial=0.0) <= _CONVERGED * np.max(
-            np.abs(after), initial=0.0
-        ):
-            return p + after * time, after
+        largest = np.max(np.abs(after), initial=0.0)
+        if np.max(np.abs(correction), initial=0.0) <= _CONVERGED * largest:
+            return position + after * dt, after
     raise ArithmeticError(
-        f"implicit Euler found no velocity in {_MOST_ITERATIONS} iterations: shorten dt"
+        f"implicit Euler found no velocity in {_MOST_ITERATIONS} iterations:"
+        " shorten dt"
     )
 
 
 def _jacobian(change: Callable[[Array], Array], velocity: Array) -> Array:
     """Derivatives (..., n, n) of v' − change(v') by central differences."""
-    size = velocity.shape[-1]
+    unity = np.eye(velocity.shape[-1])
     step = 1e-5 * np.maximum(np.max(np.abs(velocity), initial=0.0), 1.0)
     columns = [
         (change(velocity + step * e) - change(velocity - step * e))
         / (2 * step)
-        for e in np.eye(size)
+        for e in unity
     ]
-    return np.asarray(np.eye(size) - np.stack(columns, axis=-1))
+    return unity - np.stack(columns, axis=-1)
 
 
-def _at(
-    acceleration: Acceleration,
-    position: Array,
-    velocity: Array,
-) -> Array:
-    if callable(acceleration):
-        return np.asarray(acceleration(position, velocity), dtype=float)
-    return np.asarray(acceleration, dtype=float)
+Function = Callable[[Array, Array], Array]
 
 
-def _state(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: Acceleration,
-    dt: ArrayLike,
-) -> tuple[Array, Array, Array, Array]:
-    """Position, velocity, their acceleration, and the time step.
+def _function(name: str, value: Any) -> Function:
+    """A function of position and velocity; a vector becomes a constant one."""
+    acceleration = value if callable(value) else lambda _p, _v: value
+    return lambda p, v: real(name, acceleration(p, v))
 
-    The time step has an axis for the components.
-    """
-    p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
-    time = np.asarray(dt, dtype=float)[..., None]
-    return p, v, _at(acceleration, p, v), time
+
+Acceleration = Annotated[Function, _function]
+"""A constant acceleration (..., 3), m/s², or a function that returns it.
+
+The function takes the position and the velocity. In an integrator it always is
+such a function.
+"""

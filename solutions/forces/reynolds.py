@@ -5,15 +5,15 @@ from __future__ import annotations
 import warnings
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import not_negative, positive, vector
+from solutions.domain import NotNegative, Positive, Triple, domain
 
 STOKES_LIMIT = 0.1
 """Reynolds number above which a `StokesRegimeWarning` is given.
 
-The true drag on a sphere exceeds Stokes' drag by 1.8 % there, and by 13 % at 1.
+The true drag on a sphere exceeds Stokes' drag by 1.8 % there, and by 13 % at
+1.
 """
 
 
@@ -21,12 +21,13 @@ class StokesRegimeWarning(UserWarning):
     """The flow is too fast for the drag to be proportional to the velocity."""
 
 
+@domain
 def reynolds_number(
-    velocity: ArrayLike,
-    fluid_velocity: ArrayLike,
-    radius: ArrayLike,
-    fluid_density: ArrayLike,
-    viscosity: ArrayLike,
+    velocity: Triple,
+    fluid_velocity: Triple,
+    radius: NotNegative,
+    fluid_density: NotNegative,
+    viscosity: Positive,
 ) -> Array:
     """How far inertia outweighs viscosity in the flow around a sphere.
 
@@ -42,12 +43,6 @@ def reynolds_number(
     -------
     (...), Re, without a unit
 
-    Raises
-    ------
-    ValueError
-        If viscosity is not positive, radius or fluid_density is negative, or a
-        velocity does not have three components.
-
     Notes
     -----
     The Reynolds number of a sphere is taken with its diameter 2 r and with its
@@ -55,33 +50,30 @@ def reynolds_number(
 
         Re = 2 r ρ_f ‖v − u‖/η
     """
-    u = vector("fluid_velocity", fluid_velocity)
-    speed = np.linalg.norm(vector("velocity", velocity) - u, axis=-1)
-    r = not_negative("radius", radius)
-    rho = not_negative("fluid_density", fluid_density)
-    return np.asarray(2 * r * rho * speed / positive("viscosity", viscosity))
+    speed = np.linalg.norm(velocity - fluid_velocity, axis=-1)
+    return 2 * radius * fluid_density * speed / viscosity
 
 
-def check_stokes_regime(reynolds: ArrayLike) -> None:
+@domain
+def check_stokes_regime(reynolds: NotNegative) -> None:
     """Warn where the flow is too fast for Stokes' drag.
 
     There is one warning, and it names the largest Reynolds number.
 
     Parameters
     ----------
-    reynolds : (...), of a sphere, not negative
-
-    Raises
-    ------
-    ValueError
-        If reynolds is negative.
+    reynolds : (...), Re, of a sphere, without a unit, not negative
 
     Warns
     -----
     StokesRegimeWarning
         Where reynolds is above `STOKES_LIMIT`.
     """
-    largest = np.max(not_negative("reynolds", reynolds), initial=0.0)
+    largest = np.max(reynolds, initial=0.0)
     if largest > STOKES_LIMIT:
-        text = f"Stokes' drag is 1.8 % too small at Re = 0.1 and 13 % at 1; here Re is {largest:.3g}"
-        warnings.warn(text, StokesRegimeWarning, stacklevel=3)
+        warnings.warn(
+            "Stokes' drag is 1.8 % too small at Re = 0.1 and 13 % at 1;"
+            f" here Re is {largest:.3g}",
+            StokesRegimeWarning,
+            stacklevel=5,  # the line that calls `terminal_velocity`
+        )

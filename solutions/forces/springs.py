@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import not_negative, vector
+from solutions.domain import NotNegative, Triple, domain
+from solutions.vectors import direction
 
 
+@domain
 def spring_force(
-    position_1: ArrayLike,
-    position_2: ArrayLike,
-    stiffness: ArrayLike,
-    rest_length: ArrayLike = 0.0,
+    position_1: Triple,
+    position_2: Triple,
+    stiffness: NotNegative,
+    rest_length: NotNegative = 0.0,
 ) -> Array:
     """Force of a spring on its end 1 (slide 27).
 
@@ -29,84 +30,38 @@ def spring_force(
     Returns
     -------
     (..., 3), on end 1, N
-        It is zero at the rest length. A spring of length zero has no direction, so that
-        it exerts no force either, however much it is compressed. A force there would
-        have to choose a side.
-
-    Raises
-    ------
-    ValueError
-        If stiffness or rest_length is negative, or a position does not have three
-        components.
+        It is zero at the rest length. A spring of length zero has no
+        direction, so that it exerts no force either, however much it is
+        compressed. A force there would have to choose a side.
 
     Notes
     -----
-    A stretched spring pulls its end 1 towards its end 2, and a compressed spring pushes
-    it away. The force is proportional to how much the length L differs from the rest
-    length:
+    A stretched spring pulls its end 1 towards its end 2, and a compressed
+    spring pushes it away. The force is proportional to how much the length L
+    differs from the rest length:
 
         F = −k (L − L0) u,    u = (x1 − x2)/L,    L = ‖x1 − x2‖
 
-    The slide's k (x − x_rest) is the force that stretches the spring. Taken as the
-    force on the mass, it pushes the mass away from rest.
+    The slide's k (x − x_rest) is the force that stretches the spring. Taken as
+    the force on the mass, it pushes the mass away from rest.
     """
-    length, direction = _line(position_1, position_2)
-    stretch = length - not_negative("rest_length", rest_length)
-    return np.asarray(
-        -(not_negative("stiffness", stiffness) * stretch)[..., None]
-        * direction
-    )
+    d = position_1 - position_2
+    stretch = np.linalg.norm(d, axis=-1) - rest_length
+    return -(stiffness * stretch)[..., None] * direction(d)
 
 
-def spring_energy(
-    position_1: ArrayLike,
-    position_2: ArrayLike,
-    stiffness: ArrayLike,
-    rest_length: ArrayLike = 0.0,
-) -> Array:
-    """Energy stored in a spring.
-
-    Parameters
-    ----------
-    position_1, position_2 : (..., 3), m
-    stiffness : (...), k, N/m, not negative
-    rest_length : (...), L0, m, not negative
-
-    Returns
-    -------
-    (...), J
-        It is zero at the rest length.
-
-    Raises
-    ------
-    ValueError
-        If stiffness or rest_length is negative, or a position does not have three
-        components.
-
-    Notes
-    -----
-    The energy is the work that it takes to change the length from L0 to L. At each
-    length on the way the force is k times the change so far. Its mean over the way is
-    half of its last value k (L − L0), which times the way L − L0 gives
-
-        k (L − L0)²/2
-    """
-    length, _ = _line(position_1, position_2)
-    stretch = length - not_negative("rest_length", rest_length)
-    return np.asarray(not_negative("stiffness", stiffness) * stretch**2 / 2)
-
-
+@domain
 def damper_force(
-    position_1: ArrayLike,
-    position_2: ArrayLike,
-    velocity_1: ArrayLike,
-    velocity_2: ArrayLike,
-    damping: ArrayLike,
+    position_1: Triple,
+    position_2: Triple,
+    velocity_1: Triple,
+    velocity_2: Triple,
+    damping: NotNegative,
 ) -> Array:
     """Force of a damper on its end 1 (slide 29).
 
-    End 2 gets the opposite force. The force depends only on how fast the length
-    changes.
+    End 2 gets the opposite force. The force depends only on how fast the
+    length changes.
 
     Parameters
     ----------
@@ -119,40 +74,31 @@ def damper_force(
     (..., 3), on end 1, N
         A damper of length zero has no direction, and exerts no force.
 
-    Raises
-    ------
-    ValueError
-        If damping is negative, or a vector does not have three components.
-
     Notes
     -----
-    The length L grows at the rate (v1 − v2)·u, which is the part of the relative
-    velocity along the damper. The damper opposes this:
+    The length L grows at the rate (v1 − v2)·u, which is the part of the
+    relative velocity along the damper. The damper opposes this:
 
         F = −k_d ((v1 − v2)·u) u,    u = (x1 − x2)/L
 
-    The slide's −k_d v brakes all motion, also that of a spring that flies freely. The
-    force here leaves momentum, angular momentum and any rigid motion alone.
+    The slide's −k_d v brakes all motion, also that of a spring that flies
+    freely. The force here leaves momentum, angular momentum and any rigid
+    motion alone.
     """
-    _, direction = _line(position_1, position_2)
-    relative = vector("velocity_1", velocity_1) - vector(
-        "velocity_2", velocity_2
-    )
-    lengthening = np.sum(relative * direction, axis=-1)
-    return np.asarray(
-        -(not_negative("damping", damping) * lengthening)[..., None]
-        * direction
-    )
+    u = direction(position_1 - position_2)
+    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)
+    return -(damping * lengthening)[..., None] * u
 
 
+@domain
 def spring_damper_force(
-    position_1: ArrayLike,
-    position_2: ArrayLike,
-    velocity_1: ArrayLike,
-    velocity_2: ArrayLike,
-    stiffness: ArrayLike,
-    rest_length: ArrayLike,
-    damping: ArrayLike,
+    position_1: Triple,
+    position_2: Triple,
+    velocity_1: Triple,
+    velocity_2: Triple,
+    stiffness: NotNegative,
+    rest_length: NotNegative,
+    damping: NotNegative,
 ) -> Array:
     """Force of a spring with a damper beside it on their end 1 (slide 29).
 
@@ -171,12 +117,6 @@ def spring_damper_force(
     (..., 3), on end 1, N
         At length zero there is no direction, and no force.
 
-    Raises
-    ------
-    ValueError
-        If stiffness, rest_length or damping is negative, or a vector does not
-        have three components.
-
     Notes
     -----
     The two forces act on the same end, so they add. With L = ‖x1 − x2‖ and
@@ -187,20 +127,43 @@ def spring_damper_force(
     The slide writes (x' − x_rest) k − v k_d with the current position x'. Its
     spring has the wrong sign, and the motion runs away whatever the damping.
     """
-    spring = spring_force(position_1, position_2, stiffness, rest_length)
-    return np.asarray(
-        spring
-        + damper_force(position_1, position_2, velocity_1, velocity_2, damping)
-    )
+    d = position_1 - position_2
+    u = direction(d)
+    stretch = np.linalg.norm(d, axis=-1) - rest_length
+    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)
+    spring = -(stiffness * stretch)[..., None] * u
+    damper = -(damping * lengthening)[..., None] * u
+    return spring + damper
 
 
-def _line(position_1: ArrayLike, position_2: ArrayLike) -> tuple[Array, Array]:
-    """Length of a spring, and the unit vector from its end 2 to its end 1.
+@domain
+def spring_energy(
+    position_1: Triple,
+    position_2: Triple,
+    stiffness: NotNegative,
+    rest_length: NotNegative = 0.0,
+) -> Array:
+    """Energy stored in a spring.
 
-    The vector is zero where the ends coincide.
+    Parameters
+    ----------
+    position_1, position_2 : (..., 3), m
+    stiffness : (...), k, N/m, not negative
+    rest_length : (...), L0, m, not negative
+
+    Returns
+    -------
+    (...), J
+        It is zero at the rest length.
+
+    Notes
+    -----
+    The energy is the work that it takes to change the length from L0 to L. At
+    each length on the way the force is k times the change so far. Its mean
+    over the way is half of its last value k (L − L0), which times the way
+    L − L0 gives
+
+        E = k (L − L0)²/2
     """
-    d = vector("position_1", position_1) - vector("position_2", position_2)
-    length = np.asarray(np.linalg.norm(d, axis=-1))
-    return length, np.asarray(
-        d / np.where(length == 0, 1.0, length)[..., None]
-    )
+    length = np.linalg.norm(position_1 - position_2, axis=-1)
+    return stiffness * (length - rest_length) ** 2 / 2

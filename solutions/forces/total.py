@@ -2,28 +2,30 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from typing import Annotated, Any
 
-from solutions.arrays import Array
-from solutions.checks import vector
+import numpy as np
+
+from solutions.arrays import Array, Integers
+from solutions.domain import NotNegative, Triple, domain, require
 from solutions.forces.drag import stokes_drag
 from solutions.forces.gravity import uniform_gravity
 from solutions.forces.springs import spring_damper_force
 
 
+@domain
 def total_force(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    mass: ArrayLike,
-    radius: ArrayLike,
-    gravity: ArrayLike,
-    viscosity: ArrayLike,
-    fluid_velocity: ArrayLike,
-    ends: NDArray[np.intp],
-    stiffness: ArrayLike,
-    rest_length: ArrayLike,
-    damping: ArrayLike,
+    position: Triple,
+    velocity: Triple,
+    mass: NotNegative,
+    radius: NotNegative,
+    gravity: Triple,
+    viscosity: NotNegative,
+    fluid_velocity: Triple,
+    ends: Ends,
+    stiffness: NotNegative,
+    rest_length: NotNegative,
+    damping: NotNegative,
 ) -> Array:
     """Sum of all forces on each ball of a scene (slide 30).
 
@@ -33,15 +35,16 @@ def total_force(
     Parameters
     ----------
     position, velocity : (N, 3), m, m/s
-    mass, radius : (N,), kg, m
+    mass : (N,), m, kg, not negative and finite
+    radius : (N,), r, m, not negative
     gravity : (3,), g, m/s²
-    viscosity : one number, η, of the fluid, Pa s
+    viscosity : one number, η, of the fluid, Pa s, not negative
     fluid_velocity : (N, 3), of the fluid at each ball, or (3,) everywhere, m/s
     ends : (S, 2), whole numbers, the two balls that each spring joins, from 0
         A ball may be at the end of any number of springs, or of none.
-    stiffness : (S,), k, of each spring, N/m
-    rest_length : (S,), L0, m
-    damping : (S,), k_d, N s/m
+    stiffness : (S,), k, of each spring, N/m, not negative
+    rest_length : (S,), L0, m, not negative
+    damping : (S,), k_d, N s/m, not negative
 
     Returns
     -------
@@ -51,8 +54,7 @@ def total_force(
     Raises
     ------
     ValueError
-        If ends does not have the shape (S, 2) or names a ball that there is
-        not, or as `stokes_drag`, `spring_damper_force` and `uniform_gravity`.
+        If ends names a ball that there is not.
 
     Notes
     -----
@@ -65,34 +67,36 @@ def total_force(
     The springs are taken one after the other. `mesh_forces` of the lab on
     meshes takes them all at once, for which adding needs care.
     """
-    x, v, pairs = (
-        vector("position", position),
-        vector("velocity", velocity),
-        np.asarray(ends),
+    last = len(position) - 1
+    exist = (ends >= 0) & (ends <= last)
+    require(
+        exist, f"ends must name balls from 0 to {last}, not {ends.tolist()}"
     )
-    if (
-        pairs.ndim != 2
-        or pairs.shape[-1] != 2
-        or np.any(pairs < 0)
-        or np.any(pairs >= len(x))
-    ):
-        raise ValueError(
-            f"ends must have the shape (S, 2) and whole numbers from 0 to {len(x) - 1}, not {pairs}"
-        )
-    first, second = pairs[:, 0], pairs[:, 1]
+    weight = uniform_gravity(mass, gravity)
+    force = weight + stokes_drag(velocity, fluid_velocity, viscosity, radius)
+    first, second = ends.T
     pulls = spring_damper_force(
-        x[first],
-        x[second],
-        v[first],
-        v[second],
+        position[first],
+        position[second],
+        velocity[first],
+        velocity[second],
         stiffness,
         rest_length,
         damping,
-    )
-    force = uniform_gravity(mass, gravity) + stokes_drag(
-        v, fluid_velocity, viscosity, radius
     )
     for a, b, pull in zip(first, second, pulls, strict=True):
         force[a] = force[a] + pull
         force[b] = force[b] - pull
     return force
+
+
+def _ends(name: str, value: Any) -> Integers:
+    """Return pairs of numbers (S, 2); refuse other shapes."""
+    array = np.asarray(value)
+    words = f"{name} must have the shape (S, 2), not {array.shape}"
+    require(array.ndim == 2 and array.shape[1] == 2, words)
+    return array
+
+
+Ends = Annotated[Integers, _ends]
+"""(S, 2), the numbers of the two balls that each spring joins."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from solutions.arrays import Array, Booleans
-from solutions.meshes.mesh import checked_edges, lengths
+from solutions.arrays import Array, Booleans, Integers
+from solutions.domain import Number, domain
+from solutions.meshes.mesh import Edges, lengths, require_nodes
+from solutions.vectors import quotient
 
 TINY = 1e-6
 """Share of the largest singular value below which another one counts as zero.
@@ -15,9 +16,8 @@ Directions in single precision have errors of some 1e-7.
 """
 
 
-def diagonals(
-    position: ArrayLike, edges: ArrayLike, candidates: ArrayLike
-) -> Booleans:
+@domain
+def diagonals(position: Number, edges: Edges, candidates: Edges) -> Booleans:
     """Which of the candidates keep the shape of a lattice, as few as possible.
 
     The candidates are tried one after another, in their order. A candidate is
@@ -29,6 +29,7 @@ def diagonals(
     position : (n, 3), m, the shape at rest
     edges : (m, 2), the nodes at the two ends of the springs that are there
     candidates : (c, 2), the same of springs that might be added
+        A spring joins two different nodes.
 
     Returns
     -------
@@ -38,8 +39,7 @@ def diagonals(
     Raises
     ------
     ValueError
-        If an edge or a candidate joins a node to itself or to one that does
-        not exist.
+        If an edge or a candidate names a node that does not exist.
 
     Notes
     -----
@@ -54,11 +54,10 @@ def diagonals(
     Whichever springs come first, the same number is needed: as many as raise
     the rank.
     """
-    p = np.asarray(position, dtype=float)
-    rows = _rows(p, edges)
+    rows = _rows(position, edges)
     rank = _rank(rows)
     needed = []
-    for row in _rows(p, candidates):
+    for row in _rows(position, candidates):
         more = np.vstack([rows, row])
         raised = _rank(more)
         needed.append(raised > rank)
@@ -67,16 +66,17 @@ def diagonals(
     return np.array(needed, dtype=bool)
 
 
-def _rows(position: Array, edges: ArrayLike) -> Array:
+def _rows(position: Array, edges: Integers) -> Array:
     """For each edge the numbers that make its stretch of a motion."""
-    ends = checked_edges(edges, len(position))
-    between = position[ends[:, 0]] - position[ends[:, 1]]
-    length = lengths(between)
-    u = between / np.where(length > 0, length, 1.0)[:, None]
-    rows = np.zeros((len(ends), len(position), 3))
-    number = np.arange(len(ends))
-    rows[number, ends[:, 0]], rows[number, ends[:, 1]] = u, -u
-    return rows.reshape(len(ends), position.size)
+    require_nodes(edges, len(position))
+    first, second = edges.T
+    span = position[first] - position[second]
+    u = quotient(span, lengths(span)[:, None])
+    rows = np.zeros((len(edges), len(position), 3))
+    number = np.arange(len(edges))
+    rows[number, first] = u
+    rows[number, second] = -u
+    return rows.reshape(len(edges), position.size)
 
 
 def _rank(rows: Array) -> int:

@@ -6,20 +6,23 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.meshes.mesh import SpringMesh
-from solutions.meshes.springs import finite_vectors, node_vectors
+from solutions.checks import finite
+from solutions.domain import Number, domain
+from solutions.meshes.mesh import Mesh, SpringMesh
+from solutions.meshes.springs import held, require_fit
+from solutions.vectors import quotient
 
 ROUNDING = 64 * np.finfo(float).eps
 """Share of the largest terms that rounding may leave of a residual."""
 
 
+@domain
 def conjugate_gradient(
-    mesh: SpringMesh,
-    blocks: ArrayLike,
-    right: ArrayLike,
+    mesh: Mesh,
+    blocks: Number,
+    right: Number,
     tolerance: float = 1e-8,
     iterations: int | None = None,
 ) -> Array:
@@ -30,20 +33,21 @@ def conjugate_gradient(
 
     Parameters
     ----------
+    mesh : SpringMesh of n nodes and m springs
     blocks : (..., m, 3, 3), one block for each edge, kg
-    right : (..., n, 3), r
+    right : (..., n, 3), r, kg m/s, finite at free nodes
         The values at pinned nodes have no influence.
-    tolerance : largest residual of any node
+    tolerance : one number, largest residual of any node
         It is measured relative to the mass of that node times the largest x of
         all nodes. So a light node is solved as well as the heavy ones beside
         it.
-    iterations : largest number of rounds
+    iterations : whole number, the most rounds
         The default is ten times the number of unknowns, as rounding costs some
         rounds.
 
     Returns
     -------
-    (..., n, 3), x
+    (..., n, 3), x, m/s
         Zero at pinned nodes.
 
     Raises
@@ -71,38 +75,27 @@ def conjugate_gradient(
     would be a poor start beside heavy nodes: theirs are large for no other
     reason than their mass.
     """
-    held = finite_vectors(
-        mesh,
-        "right",
-        np.where(
-            mesh.pinned[:, None], 0.0, node_vectors(mesh, "right", right)
-        ),
-    )
-    system, given = _System.of(mesh, blocks, held)
-    x, residual, direction, square = (
-        np.zeros_like(given),
-        given,
-        np.zeros_like(given),
-        np.zeros(()),
-    )
+    require_fit(mesh, right=right)
+    right = finite("right", held(mesh, right))
+    system, r = _System.of(mesh, blocks, right)
+    x = np.zeros_like(r)
+    d = np.zeros_like(r)
+    residual = r
+    square = np.zeros(())
     for _ in range(30 * len(mesh.mass) if iterations is None else iterations):
-        towards = system.alone(residual)
-        going = system.worst(residual, x + towards) > tolerance
-        if not np.any(going):
+        start = system.alone(residual)
+        unsolved = system.worst(residual, x + start) > tolerance
+        if not np.any(unsolved):
             break
-        before, square = (
-            square,
-            np.where(going, _dot(residual, towards), square),
-        )
-        direction = (
-            towards + square / np.where(before > 0, before, np.inf) * direction
-        )
-        onto = system.product(direction)
-        length = np.where(
-            going, square / np.where(going, _dot(direction, onto), 1.0), 0.0
-        )
-        x, residual = x + length * direction, residual - length * onto
-    worst = system.worst(given - system.product(x), x, ROUNDING)
+        before = square
+        square = np.where(unsolved, _dot(residual, start), square)
+        d = start + quotient(square, before) * d
+        product = system.product(d)
+        curvature = np.where(unsolved, _dot(d, product), 0.0)
+        step = quotient(square, curvature)
+        x = x + step * d
+        residual = residual - step * product
+    worst = system.worst(r - system.product(x), x, ROUNDING)
     if np.any(worst > tolerance):
         raise RuntimeError(
             "conjugate gradients: a node has a residual of"
@@ -134,52 +127,42 @@ class _System:
 
     @classmethod
     def of(
-        cls, mesh: SpringMesh, blocks: ArrayLike, right: Array
+        cls, mesh: SpringMesh, blocks: Array, right: Array
     ) -> tuple[_System, Array]:
         """Return the system and its right side, (3, ..., n)."""
-        by_edge, mass = (
-            np.asarray(blocks, dtype=float),
-            np.where(mesh.pinned, 1.0, mesh.mass),
-        )
-        own = np.zeros((len(mass), *by_edge.shape[:-3], 3, 3))
+        nodes = len(mesh.mass)
+        mass = np.where(mesh.pinned, 1.0, mesh.mass)
+        own = np.zeros((nodes, *blocks.shape[:-3], 3, 3))
         for end in mesh.edges.T:
-            np.add.at(own, end, np.moveaxis(by_edge, -3, 0))
+            np.add.at(own, end, np.moveaxis(blocks, -3, 0))
         own = np.moveaxis(own, 0, -3) + mass[:, None, None] * np.eye(3)
-        parts = [
-            np.ascontiguousarray(np.moveaxis(matrix, (-2, -1), (0, 1)))
-            for matrix in (by_edge, own, np.linalg.inv(own))
-        ]
-        batch = np.broadcast_shapes(by_edge.shape[:-3], right.shape[:-2])
-        given = np.moveaxis(
-            np.broadcast_to(right, (*batch, *right.shape[-2:])), -1, 0
+
+        batch = np.broadcast_shapes(blocks.shape[:-3], right.shape[:-2])
+        row = np.arange(3 * math.prod(batch))[:, None] * nodes
+        first, second = mesh.edges.T
+        system = cls(
+            mesh,
+            _nodes_last(blocks, 2),
+            _nodes_last(own, 2),
+            _nodes_last(np.linalg.inv(own), 2),
+            mass,
+            ((row + first).ravel(), (row + second).ravel()),
         )
-        rows = np.arange(3 * math.prod(batch))[:, None] * len(mass)
-        ends = (
-            (rows + mesh.edges[:, 0]).ravel(),
-            (rows + mesh.edges[:, 1]).ravel(),
-        )
-        return cls(
-            mesh, parts[0], parts[1], parts[2], mass, ends
-        ), np.ascontiguousarray(given)
+        right = np.broadcast_to(right, (*batch, nodes, 3))
+        return system, _nodes_last(right, 1)
 
     def product(self, x: Array) -> Array:
         """(M + B) x, added up edge by edge; 0 at pinned nodes."""
-        between = np.take(x, self.mesh.edges[:, 0], axis=-1) - np.take(
-            x, self.mesh.edges[:, 1], axis=-1
-        )
+        first, second = self.mesh.edges.T
+        between = np.take(x, first, axis=-1) - np.take(x, second, axis=-1)
         force = np.einsum("ij...,j...->i...", self.blocks, between).ravel()
-        first, second = (np.bincount(end, force, x.size) for end in self.ends)
-        return np.where(
-            self.mesh.pinned,
-            0.0,
-            self.mass * x + (first - second).reshape(x.shape),
-        )
+        gained, lost = (np.bincount(end, force, x.size) for end in self.ends)
+        product = self.mass * x + (gained - lost).reshape(x.shape)
+        return np.where(self.mesh.pinned, 0.0, product)
 
     def alone(self, residual: Array) -> Array:
         """How far each node would go if all others stayed where they are."""
-        return np.asarray(
-            np.einsum("ij...,j...->i...", self.inverse, residual)
-        )
+        return np.einsum("ij...,j...->i...", self.inverse, residual)
 
     def worst(self, residual: Array, x: Array, rounding: float = 0.0) -> Array:
         """Largest residual (..., 1) of a node, over mass times largest x.
@@ -189,17 +172,21 @@ class _System:
         """
         size = _lengths(x).max(axis=-1, keepdims=True, initial=0.0)
         left = _lengths(residual) - rounding * np.trace(self.own) * size
-        return np.asarray(
-            (left / self.mass).max(axis=-1, keepdims=True, initial=0.0)
-            / np.where(size > 0, size, 1.0)
-        )
+        worst = (left / self.mass).max(axis=-1, keepdims=True, initial=0.0)
+        return quotient(worst, size, worst)
+
+
+def _nodes_last(array: Array, axes: int) -> Array:
+    """The array with its last axes, those of x, y and z, as the first ones."""
+    moved = np.moveaxis(array, range(-axes, 0), range(axes))
+    return np.ascontiguousarray(moved)
 
 
 def _lengths(vectors: Array) -> Array:
     """Lengths (..., n) of vectors (3, ..., n)."""
-    return np.asarray(np.sqrt(np.einsum("i...,i...->...", vectors, vectors)))
+    return np.sqrt(np.einsum("i...,i...->...", vectors, vectors))
 
 
 def _dot(a: Array, b: Array) -> Array:
     """Scalar product (..., 1) over all nodes, of vectors (3, ..., n)."""
-    return np.asarray(np.einsum("i...n,i...n->...", a, b))[..., None]
+    return np.einsum("i...n,i...n->...", a, b)[..., None]

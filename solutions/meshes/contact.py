@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import in_unit_interval, not_negative, positive
 from solutions.detection import is_colliding
-from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
-from solutions.meshes.springs import node_vectors
+from solutions.domain import NotNegative, Number, Positive, Share, domain
+from solutions.meshes.mesh import Mesh
+from solutions.meshes.springs import require_fit
 from solutions.response import kinematic_response
+from solutions.vectors import direction, quotient
 
 UP = (0.0, 0.0, 1.0)
 
 
+@domain
 def mesh_sphere_contact(
-    mesh: AnyMesh,
-    position: ArrayLike,
-    velocity: ArrayLike,
-    centre: ArrayLike,
-    radius: ArrayLike,
-    restitution: ArrayLike = 0.0,
-    friction: ArrayLike = 0.0,
+    mesh: Mesh,
+    position: Number,
+    velocity: Number,
+    centre: Number,
+    radius: Positive,
+    restitution: Share = 0.0,
+    friction: NotNegative = 0.0,
 ) -> tuple[Array, Array]:
     """State of the nodes after their contact with a fixed sphere.
 
@@ -35,15 +36,15 @@ def mesh_sphere_contact(
     Parameters
     ----------
     mesh : SpringMesh of n nodes
-    position, velocity : (n, 3), m and m/s
+    position, velocity : (n, 3), m, m/s
     centre : (3,), m
-    radius : m, positive
-    restitution : e, from 0 to 1
-    friction : μ, not negative
+    radius : one number, m, positive
+    restitution : one number, e, from 0 to 1
+    friction : one number, μ, without a unit, not negative
 
     Returns
     -------
-    position, velocity : (n, 3) each, m and m/s
+    position, velocity : (n, 3) each, m, m/s
         A pinned node and a node on or outside the sphere keep both. A node
         inside that already moves away, or along the surface, keeps its
         velocity. A node exactly at the centre has no shortest way out: it
@@ -52,8 +53,7 @@ def mesh_sphere_contact(
     Raises
     ------
     ValueError
-        If the radius is not positive, e is not from 0 to 1, μ is negative, or
-        an array does not fit the mesh.
+        If an array does not fit the mesh.
 
     Notes
     -----
@@ -75,52 +75,30 @@ def mesh_sphere_contact(
     radius. Leading axes of position and velocity make a batch, (..., n, 3),
     with a centre (..., 1, 3) and a radius (..., 1) for each.
     """
-    mesh = as_mesh(mesh)
-    p = node_vectors(mesh, "position", position)
-    away = p - np.asarray(centre, dtype=float)
+    require_fit(mesh, position=position, velocity=velocity)
+    away = position - centre
     distance = np.linalg.norm(away, axis=-1)
-    apart = distance > 0
-    normal = np.where(
-        apart[..., None], away / np.where(apart, distance, 1.0)[..., None], UP
-    )
-    return _answered(
-        mesh,
-        p,
-        velocity,
-        normal,
-        distance - positive("radius", radius),
-        restitution,
-        friction,
-    )
+    normal = np.where(distance[..., None] > 0, direction(away), UP)
+    separation = distance - radius
 
+    bounced = kinematic_response(velocity, normal, restitution)
+    gained = np.linalg.norm(bounced - velocity, axis=-1)
+    slowed = _slowed(bounced, normal, friction * gained)
+    on_surface = position - separation[..., None] * normal
 
-def _answered(
-    mesh: SpringMesh,
-    position: Array,
-    velocity: ArrayLike,
-    normal: Array,
-    separation: Array,
-    restitution: ArrayLike,
-    friction: ArrayLike,
-) -> tuple[Array, Array]:
-    v = node_vectors(mesh, "velocity", velocity)
-    e = in_unit_interval("restitution", restitution)
-    mu = not_negative("friction", friction)
-    after = kinematic_response(v, normal, e)
-    gained = np.linalg.norm(after - v, axis=-1)
-    rubbed = _slowed(after, normal, mu * gained)
     hit = (is_colliding(separation) & ~mesh.pinned)[..., None]
-    put_back = position - separation[..., None] * normal
-    return np.where(hit, put_back, position), np.where(hit, rubbed, v)
+    p = np.where(hit, on_surface, position)
+    v = np.where(hit, slowed, velocity)
+    return p, v
 
 
 def _slowed(velocity: Array, normal: Array, most: Array) -> Array:
-    """The velocity with its tangential speed reduced by at most `most`.
+    """The velocity, with its sliding reduced by a speed of at most `most`.
 
-    The tangential velocity is never reversed.
+    The sliding is never reversed.
     """
-    across = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
-    along = velocity - across
-    speed = np.linalg.norm(along, axis=-1)
-    kept = 1 - np.minimum(1.0, most / np.where(speed > 0, speed, 1.0))
-    return np.asarray(across + kept[..., None] * along)
+    into = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
+    sliding = velocity - into
+    speed = np.linalg.norm(sliding, axis=-1)
+    kept = 1 - np.minimum(1.0, quotient(most, speed))
+    return into + kept[..., None] * sliding

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import Annotated
 
 import numpy as np
 
 from solutions.arrays import Array, Integers
-from solutions.checks import positive
+from solutions.domain import Positive, domain, require
 
 Offset = tuple[int, ...]
 CLOTH_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
@@ -38,10 +39,11 @@ springs along the diagonals of their faces and of space.
 """
 
 
+@domain
 def cloth(
-    rows: int,
-    columns: int,
-    spacing: float,
+    rows: Count,
+    columns: Count,
+    spacing: Positive,
     kinds: Collection[str] = tuple(CLOTH_SPRINGS),
 ) -> tuple[Array, Integers]:
     """Nodes and edges of a flat cloth in the plane z = 0.
@@ -51,19 +53,19 @@ def cloth(
 
     Parameters
     ----------
-    rows, columns : numbers of nodes along y and x, at least 1
-    spacing : distance of neighbours, m, positive
+    rows, columns : whole numbers of nodes along y and x, at least 1
+    spacing : one number, distance of neighbours, m, positive
     kinds : any of "structural", "shear" and "bend"; by default all
 
     Returns
     -------
     position : (rows · columns, 3), m
-    edges : (m, 2), of the wanted kinds
+    edges : (m, 2), of these kinds
 
     Raises
     ------
     ValueError
-        If a count or the spacing is not positive, or a kind is not known.
+        If a kind is not known.
 
     Notes
     -----
@@ -72,41 +74,40 @@ def cloth(
     energy. Bend springs join every second node: without them the cloth folds
     at no cost of energy.
     """
-    node = _node_numbers({"rows": rows, "columns": columns})
-    row, column = np.divmod(np.arange(node.size), columns)
-    position = positive("spacing", spacing) * np.stack(
-        [column, row, np.zeros(node.size)], axis=-1
-    )
-    return position, _grid_edges(node, CLOTH_SPRINGS, kinds)
+    node = np.arange(rows * columns).reshape(rows, columns)
+    row, column = np.divmod(node.ravel(), columns)
+    place = np.stack([column, row, np.zeros(node.size)], axis=-1)
+    return spacing * place, _grid_edges(node, CLOTH_SPRINGS, kinds)
 
 
+@domain
 def lattice(
-    nx: int,
-    ny: int,
-    nz: int,
-    spacing: float,
+    nx: Count,
+    ny: Count,
+    nz: Count,
+    spacing: Positive,
     kinds: Collection[str] = tuple(LATTICE_SPRINGS),
 ) -> tuple[Array, Integers]:
     """Nodes and edges of a solid of nx × ny × nz nodes.
 
-    Node (i, j, k), counted along x, y and z, has the number (i · ny + j) · nz
-    + k.
+    Node (i, j, k), counted along x, y and z, has the number
+    (i · ny + j) · nz + k.
 
     Parameters
     ----------
-    nx, ny, nz : numbers of nodes along x, y and z, at least 1
-    spacing : distance of neighbours, m, positive
+    nx, ny, nz : whole numbers of nodes along x, y and z, at least 1
+    spacing : one number, distance of neighbours, m, positive
     kinds : any of "structural", "face" and "space"; by default all
 
     Returns
     -------
     position : (nx · ny · nz, 3), m
-    edges : (m, 2), of the wanted kinds
+    edges : (m, 2), of these kinds
 
     Raises
     ------
     ValueError
-        If a count or the spacing is not positive, or a kind is not known.
+        If a kind is not known.
 
     Notes
     -----
@@ -114,19 +115,9 @@ def lattice(
     every cube shear and collapse. The internal springs along the diagonals of
     the faces and of space stabilise the shape (slide 28).
     """
-    node = _node_numbers({"nx": nx, "ny": ny, "nz": nz})
-    position = positive("spacing", spacing) * np.stack(
-        np.unravel_index(np.arange(node.size), node.shape), axis=-1
-    )
-    return position, _grid_edges(node, LATTICE_SPRINGS, kinds)
-
-
-def _node_numbers(counts: Mapping[str, int]) -> Integers:
-    for name, count in counts.items():
-        if count < 1:
-            raise ValueError(f"{name} must be at least 1, not {count}")
-    shape = tuple(counts.values())
-    return np.arange(np.prod(shape)).reshape(shape)
+    node = np.arange(nx * ny * nz).reshape(nx, ny, nz)
+    place = np.stack(np.unravel_index(node.ravel(), node.shape), axis=-1)
+    return spacing * place, _grid_edges(node, LATTICE_SPRINGS, kinds)
 
 
 def _grid_edges(
@@ -134,32 +125,31 @@ def _grid_edges(
     springs: Mapping[str, tuple[Offset, ...]],
     kinds: Collection[str],
 ) -> Integers:
-    """All pairs of nodes of a grid with an offset of the wanted kinds."""
+    """All pairs of nodes of a grid with an offset of these kinds."""
     for kind in kinds:
         if kind not in springs:
             raise ValueError(f"kinds are {', '.join(springs)}, not {kind!r}")
-    offsets = [
-        offset
-        for kind, group in springs.items()
-        if kind in kinds
-        for offset in group
-    ]
     pairs = [np.zeros((0, 2), dtype=np.int64)]
-    for offset in offsets:
-        first = tuple(
-            _within(size, step)
-            for size, step in zip(node.shape, offset, strict=True)
-        )
-        second = tuple(
-            _within(size, -step)
-            for size, step in zip(node.shape, offset, strict=True)
-        )
-        pairs.append(
-            np.stack([node[first].ravel(), node[second].ravel()], axis=-1)
-        )
+    for kind, offsets in springs.items():
+        for offset in offsets if kind in kinds else ():
+            first = node[_within(node.shape, offset)]
+            second = node[_within(node.shape, tuple(-n for n in offset))]
+            pairs.append(np.stack([first.ravel(), second.ravel()], axis=-1))
     return np.concatenate(pairs)
 
 
-def _within(size: int, step: int) -> slice:
-    """Places along an axis from which one step stays on the grid."""
-    return slice(max(0, -step), max(0, size - max(0, step)))
+def _within(shape: Offset, offset: Offset) -> tuple[slice, ...]:
+    """Places of a grid from which the offset does not lead out of it."""
+    return tuple(
+        slice(max(0, -step), max(0, size - max(0, step)))
+        for size, step in zip(shape, offset, strict=True)
+    )
+
+
+def _count(name: str, count: int) -> int:
+    require(count >= 1, f"{name} must be at least 1, not {count}")
+    return count
+
+
+Count = Annotated[int, _count]
+"""1, 2, 3 …"""

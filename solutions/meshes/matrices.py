@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.meshes.mesh import SpringMesh
+from solutions.domain import Number, domain
+from solutions.meshes.mesh import Mesh
 from solutions.meshes.springs import (
     across_edges,
     edge_directions,
-    node_vectors,
     onto_nodes,
+    require_fit,
 )
+from solutions.vectors import quotient
 
 
+@domain
 def edge_stiffness(
-    mesh: SpringMesh,
-    position: ArrayLike,
-    clamped: bool = True,
+    mesh: Mesh, position: Number, clamped: bool = True
 ) -> Array:
     """Stiffness matrix K of every spring, for small displacements of its ends.
 
@@ -28,6 +28,7 @@ def edge_stiffness(
 
     Parameters
     ----------
+    mesh : SpringMesh of n nodes and m springs
     position : (..., n, 3), m
     clamped : whether K has no negative eigenvalue
         A shortened spring has a negative stiffness across its edge, as it
@@ -63,19 +64,17 @@ def edge_stiffness(
     up. Clamped, g is never negative.
     """
     u, length = edge_directions(mesh, position)
-    across = 1 - mesh.rest_length / np.where(length > 0, length, 1.0)
-    across = np.where(
-        length > 0, across, np.where(mesh.rest_length > 0, 0.0, 1.0)
-    )
-    g = np.maximum(across, 0.0) if clamped else across
+    at_zero_length = np.where(mesh.rest_length > 0, 1.0, 0.0)
+    g = 1 - quotient(mesh.rest_length, length, at_zero_length)
+    if clamped:
+        g = np.maximum(g, 0.0)
     along = (1 - g)[..., None, None] * (u[..., :, None] * u[..., None, :])
-    return np.asarray(
-        mesh.stiffness[:, None, None]
-        * (along + g[..., None, None] * np.eye(3))
-    )
+    across = g[..., None, None] * np.eye(3)
+    return mesh.stiffness[:, None, None] * (along + across)
 
 
-def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
+@domain
+def edge_damping(mesh: Mesh, position: Number) -> Array:
     """Damping matrix C of every damper, for the velocities of its ends.
 
     If the relative velocity v1 − v2 changes by Δ, the force on end 1 changes
@@ -83,6 +82,7 @@ def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
 
     Parameters
     ----------
+    mesh : SpringMesh of n nodes and m springs
     position : (..., n, 3), m
 
     Returns
@@ -97,33 +97,31 @@ def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
 
     Notes
     -----
-    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in v1 −
-    v2, with
+    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in
+    v1 − v2, with
 
         C = k_d u uᵀ
     """
     u, _ = edge_directions(mesh, position)
-    return np.asarray(
-        mesh.damping[:, None, None] * (u[..., :, None] * u[..., None, :])
-    )
+    return mesh.damping[:, None, None] * (u[..., :, None] * u[..., None, :])
 
 
-def mesh_product(
-    mesh: SpringMesh, blocks: ArrayLike, vector: ArrayLike
-) -> Array:
+@domain
+def mesh_product(mesh: Mesh, blocks: Number, vector: Number) -> Array:
     """Product of the matrix of the whole mesh with a vector.
 
     The product is added up edge by edge. The matrix itself is never built.
 
     Parameters
     ----------
-    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness`
-        returns them
-    vector : (..., n, 3)
+    mesh : SpringMesh of n nodes and m springs
+    blocks : (..., m, 3, 3), N/m or N s/m, one for each edge
+        They are as `edge_stiffness` and `edge_damping` return them.
+    vector : (..., n, 3), m or m/s, one for each node
 
     Returns
     -------
-    (..., n, 3)
+    (..., n, 3), N
         Pinned nodes are treated as if they were free.
 
     Raises
@@ -131,26 +129,24 @@ def mesh_product(
     ValueError
         If the vector does not fit the mesh.
     """
-    between = across_edges(mesh, node_vectors(mesh, "vector", vector))
-    return onto_nodes(
-        mesh,
-        np.einsum(
-            "...ij,...j->...i", np.asarray(blocks, dtype=float), between
-        ),
-    )
+    require_fit(mesh, vector=vector)
+    between = across_edges(mesh, vector)
+    return onto_nodes(mesh, np.einsum("...ij,...j->...i", blocks, between))
 
 
-def mesh_matrix(mesh: SpringMesh, blocks: ArrayLike) -> Array:
+@domain
+def mesh_matrix(mesh: Mesh, blocks: Number) -> Array:
     """Matrix of the whole mesh, built from the blocks of its edges.
 
     Parameters
     ----------
-    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness`
-        returns them
+    mesh : SpringMesh of n nodes and m springs
+    blocks : (..., m, 3, 3), N/m or N s/m, one for each edge
+        They are as `edge_stiffness` and `edge_damping` return them.
 
     Returns
     -------
-    (..., 3 n, 3 n)
+    (..., 3 n, 3 n), N/m or N s/m
         The rows and columns are x, y, z of node 0, then of node 1, and so on.
         Pinned nodes are included as if they were free.
 
@@ -160,23 +156,20 @@ def mesh_matrix(mesh: SpringMesh, blocks: ArrayLike) -> Array:
     opposite force. So every edge adds +B to the diagonal blocks of both its
     ends, and −B to the two blocks that couple them.
     """
-    block, nodes = np.asarray(blocks, dtype=float), len(mesh.mass)
-    first, second = mesh.edges.T
-    matrix = np.zeros((*block.shape[:-3], nodes, nodes, 3, 3))
+    batch = blocks.shape[:-3]
+    nodes = len(mesh.mass)
+    matrix = np.zeros((*batch, nodes, nodes, 3, 3))
     by_pair = np.moveaxis(matrix, (-4, -3), (0, 1))
-    by_edge = np.moveaxis(block, -3, 0)
-    for row, column, sign in (
-        (first, first, 1),
-        (second, second, 1),
-        (first, second, -1),
-        (second, first, -1),
-    ):
-        np.add.at(by_pair, np.index_exp[row, column], sign * by_edge)
-    return np.asarray(np.swapaxes(matrix, -3, -2)).reshape(
-        *block.shape[:-3], 3 * nodes, 3 * nodes
-    )
+    by_edge = np.moveaxis(blocks, -3, 0)
+    first, second = mesh.edges.T
+    np.add.at(by_pair, (first, first), by_edge)
+    np.add.at(by_pair, (second, second), by_edge)
+    np.add.at(by_pair, (first, second), -by_edge)
+    np.add.at(by_pair, (second, first), -by_edge)
+    size = 3 * nodes
+    return np.swapaxes(matrix, -3, -2).reshape(*batch, size, size)
 
 
 def dot(a: Array, b: Array) -> Array:
     """Scalar product (..., 1, 1) over all nodes, of vectors (..., n, 3)."""
-    return np.asarray(np.sum(a * b, axis=(-2, -1), keepdims=True))
+    return np.sum(a * b, axis=(-2, -1), keepdims=True)

@@ -6,13 +6,20 @@ Every edge has a spring, and a damper beside it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.checks import finite, not_negative, positive
+from solutions.checks import finite, positive
+from solutions.domain import (
+    FiniteNotNegative,
+    Positive,
+    Truth,
+    domain,
+    require,
+)
 
 
 class _Parts(NamedTuple):
@@ -34,6 +41,7 @@ class SpringMesh(_Parts):
     Attributes
     ----------
     edges : (m, 2), the nodes at the two ends of each spring
+        They are two different nodes.
     rest_length : (m,), m, not negative and finite
     stiffness : (m,), N/m, not negative and finite
     damping : (m,), N s/m, not negative and finite
@@ -45,45 +53,35 @@ class SpringMesh(_Parts):
     Raises
     ------
     ValueError
-        If an edge joins a node to itself or to one that does not exist, a mass
-        is not positive, or any of the other numbers is negative or not finite.
+        If an edge names a node that does not exist, or an array has too many
+        numbers or too few.
     """
 
     __slots__ = ()
 
+    @domain
     def __new__(
         cls,
-        edges: ArrayLike,
-        rest_length: ArrayLike,
-        stiffness: ArrayLike,
-        damping: ArrayLike,
-        mass: ArrayLike,
-        pinned: ArrayLike,
+        edges: Edges,
+        rest_length: FiniteNotNegative,
+        stiffness: FiniteNotNegative,
+        damping: FiniteNotNegative,
+        mass: Masses,
+        pinned: Truth,
     ) -> SpringMesh:
         """Make a mesh of its six arrays, and refuse impossible ones."""
-        masses = positive("mass", mass).copy()
-        if masses.ndim != 1:
-            raise ValueError(
-                f"mass must have the shape (nodes,), not {masses.shape}"
-            )
-        ends = checked_edges(edges, len(masses))
-        flags = np.asarray(pinned, dtype=bool)
-        held = np.broadcast_to(flags, masses.shape) | np.isinf(masses)
-        rest, stiff, damp = (
-            np.array(
-                np.broadcast_to(
-                    finite(name, not_negative(name, value)), ends.shape[:1]
-                )
-            )
-            for name, value in (
-                ("rest_length", rest_length),
-                ("stiffness", stiffness),
-                ("damping", damping),
-            )
+        require_nodes(edges, len(mass))
+        parts = (
+            edges,
+            np.array(np.broadcast_to(rest_length, len(edges))),
+            np.array(np.broadcast_to(stiffness, len(edges))),
+            np.array(np.broadcast_to(damping, len(edges))),
+            np.array(mass),
+            np.broadcast_to(pinned, len(mass)) | np.isinf(mass),
         )
-        for array in (ends, rest, stiff, damp, masses, held):
-            array.flags.writeable = False
-        return super().__new__(cls, ends, rest, stiff, damp, masses, held)
+        for part in parts:
+            part.flags.writeable = False
+        return super().__new__(cls, *parts)
 
     def _replace(self, **parts: Any) -> SpringMesh:
         """The mesh with other arrays, by name, checked again."""
@@ -102,73 +100,33 @@ AnyMesh = (
 """A `SpringMesh`, or a plain tuple in its order."""
 
 
-def as_mesh(mesh: AnyMesh) -> SpringMesh:
+def as_mesh(_name: str, mesh: AnyMesh) -> SpringMesh:
     """Return the mesh; of a plain tuple of its arrays, make one."""
     return mesh if isinstance(mesh, SpringMesh) else SpringMesh(*mesh)
 
 
-def lengths(vector: Array) -> Array:
-    """Lengths of the vectors (..., 3).
-
-    Every length of an edge is computed with this formula, so a mesh in its
-    first shape is at rest to the last bit.
-    """
-    return np.asarray(np.sqrt(np.vecdot(vector, vector)))
+Mesh = Annotated[SpringMesh, as_mesh]
+"""A `SpringMesh`; a plain tuple of its arrays is welcome."""
 
 
-def checked_edges(edges: ArrayLike, nodes: int) -> Integers:
-    """Return a copy of the edges as (m, 2) integers, if they can be edges.
-
-    Parameters
-    ----------
-    edges : (m, 2), integers; an empty list means that there are no edges
-    nodes : number of nodes
-
-    Returns
-    -------
-    (m, 2), a copy; (0, 2) if there are no edges
-
-    Raises
-    ------
-    ValueError
-        If the shape is another, an end is not one of the nodes 0 to nodes − 1,
-        or both ends of an edge are the same node.
-    """
-    found = np.asarray(edges)
-    if found.size == 0:
-        return np.zeros((0, 2), dtype=np.int64)
-    if found.ndim != 2 or found.shape[1] != 2 or found.dtype.kind not in "iu":
-        raise ValueError(
-            "edges must be integers of the shape (edges, 2), not"
-            f" {found.dtype} of {found.shape}"
-        )
-    for edge in found[np.any((found < 0) | (found >= nodes), axis=1)]:
-        raise ValueError(
-            f"edges must join nodes from 0 to {nodes - 1}, not {edge.tolist()}"
-        )
-    for edge in found[found[:, 0] == found[:, 1]]:
-        raise ValueError(
-            f"edges must join two different nodes, not {edge.tolist()}"
-        )
-    return found.astype(np.int64)
-
-
+@domain
 def spring_mesh(
-    position: ArrayLike,
-    edges: ArrayLike,
-    stiffness: ArrayLike,
-    damping: ArrayLike = 0.0,
-    mass: ArrayLike = 1.0,
+    position: Places,
+    edges: Edges,
+    stiffness: FiniteNotNegative,
+    damping: FiniteNotNegative = 0.0,
+    mass: Positive = 1.0,
     pinned: Sequence[int] = (),
 ) -> SpringMesh:
     """Mesh in which every edge is a spring at rest in this shape (slide 28).
 
     Parameters
     ----------
-    position : (n, 3), m
-    edges : (m, 2), the nodes at the two ends
-    stiffness, damping : (m,) or one for all, N/m and N s/m
-    mass : (n,) or one for all, kg, of each node
+    position : (n, 3), m, finite
+    edges : (m, 2), the nodes at the two ends, two different ones
+    stiffness : (m,) or one for all, N/m, not negative and finite
+    damping : (m,) or one for all, N s/m, not negative and finite
+    mass : (n,) or one for all, kg, of each node, positive
     pinned : numbers of the nodes that do not move
 
     Returns
@@ -180,39 +138,30 @@ def spring_mesh(
     Raises
     ------
     ValueError
-        As `SpringMesh` does. Also if a position is not finite, or a pinned
-        node does not exist.
+        If an edge names a node that does not exist, or a pinned node does not
+        exist.
     """
-    place = np.asarray(position, dtype=float)
-    if (
-        place.ndim != 2
-        or place.shape[1] != 3
-        or not np.all(np.isfinite(place))
-    ):
-        raise ValueError(
-            "position must be finite and of the shape (nodes, 3), not"
-            f" {place.shape}: {place}"
-        )
-    found = checked_edges(edges, len(place))
-    length = lengths(place[found[:, 0]] - place[found[:, 1]])
-    masses = np.broadcast_to(np.asarray(mass, dtype=float), len(place))
+    require_nodes(edges, len(position))
+    first, second = edges.T
     mesh = SpringMesh(
-        found,
-        length,
-        np.asarray(stiffness),
-        np.asarray(damping),
-        masses,
-        np.zeros(len(place), bool),
+        edges,
+        lengths(position[first] - position[second]),
+        stiffness,
+        damping,
+        np.broadcast_to(mass, len(position)),
+        False,
     )
     return pin(mesh, pinned)
 
 
-def pin(mesh: SpringMesh, nodes: Sequence[int]) -> SpringMesh:
+@domain
+def pin(mesh: Mesh, nodes: Sequence[int]) -> SpringMesh:
     """The mesh with these nodes pinned, in addition to those that already are.
 
     Parameters
     ----------
-    nodes : numbers of the nodes, from 0 on
+    mesh : SpringMesh of n nodes
+    nodes : numbers of the nodes, from 0 to n − 1
 
     Returns
     -------
@@ -224,12 +173,64 @@ def pin(mesh: SpringMesh, nodes: Sequence[int]) -> SpringMesh:
     ValueError
         If a node does not exist.
     """
+    count = len(mesh.mass)
     for node in nodes:
-        if not 0 <= node < len(mesh.mass):
-            raise ValueError(
-                "pinned nodes are numbered from 0 to"
-                f" {len(mesh.mass) - 1}, not {node}"
-            )
-    return mesh._replace(
-        pinned=mesh.pinned | np.isin(np.arange(len(mesh.mass)), nodes)
-    )
+        words = f"pinned nodes are numbered from 0 to {count - 1}, not {node}"
+        require(0 <= node < count, words)
+    return mesh._replace(pinned=mesh.pinned | np.isin(np.arange(count), nodes))
+
+
+def _edges(name: str, value: Any) -> Integers:
+    """Return a copy of edges as (m, 2) integers, for none of them (0, 2)."""
+    edges = np.asarray(value)
+    if edges.size == 0:
+        return np.zeros((0, 2), dtype=np.int64)
+    if edges.ndim != 2 or edges.shape[1] != 2 or edges.dtype.kind not in "iu":
+        raise ValueError(
+            f"{name} must be integers of the shape (edges, 2), not"
+            f" {edges.dtype} of {edges.shape}"
+        )
+    for edge in edges[edges[:, 0] == edges[:, 1]]:
+        raise ValueError(
+            f"{name} must join two different nodes, not {edge.tolist()}"
+        )
+    return edges.astype(np.int64)
+
+
+def _per_node(name: str, vectors: Array) -> Array:
+    """Return vectors (n, 3); refuse other shapes."""
+    words = f"{name} must be finite and of the shape (nodes, 3), not"
+    require(vectors.shape[1:] == (3,), f"{words} {vectors.shape}")
+    return vectors
+
+
+def _in_a_row(name: str, masses: Array) -> Array:
+    """Return masses (n,); refuse other shapes."""
+    words = f"{name} must have the shape (nodes,), not"
+    require(masses.ndim == 1, f"{words} {masses.shape}")
+    return masses
+
+
+Edges = Annotated[Integers, _edges]
+"""(m, 2), the nodes at the two ends of each spring; these are two nodes."""
+Places = Annotated[Array, finite, _per_node]
+"""(n, 3), finite."""
+Masses = Annotated[Array, positive, _in_a_row]
+"""(n,), positive. Infinity is the mass of an immovable node."""
+
+
+def lengths(vector: Array) -> Array:
+    """Lengths of the vectors (..., 3).
+
+    Every length of an edge is computed with this formula, so a mesh in its
+    first shape is at rest to the last bit.
+    """
+    return np.sqrt(np.vecdot(vector, vector))
+
+
+def require_nodes(edges: Integers, nodes: int) -> None:
+    """Raise a ValueError unless all ends are nodes from 0 to nodes − 1."""
+    for edge in edges[np.any((edges < 0) | (edges >= nodes), axis=1)]:
+        raise ValueError(
+            f"edges must join nodes from 0 to {nodes - 1}, not {edge.tolist()}"
+        )

@@ -5,21 +5,22 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
-from solutions.checks import not_negative
-from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh
-from solutions.meshes.springs import finite_vectors, mesh_forces, node_vectors
+from solutions.domain import Finite, NotNegative, Number, domain
+from solutions.meshes.mesh import Mesh
+from solutions.meshes.springs import held, mesh_forces, require_fit
+from solutions.vectors import quotient
 
 SLACK = 1e-12
 """The share of a length that counts as rounding."""
 
 
+@domain
 def limit_strain(
-    mesh: AnyMesh,
-    position: ArrayLike,
-    limit: float = 0.1,
+    mesh: Mesh,
+    position: Number,
+    limit: NotNegative = 0.1,
     iterations: int = 1000,
 ) -> Array:
     """Positions in which no spring is too long (Provot 1995).
@@ -33,8 +34,9 @@ def limit_strain(
     ----------
     mesh : SpringMesh of n nodes
     position : (n, 3), m
-    limit : largest strain allowed, not negative; 0.1 is the usual tenth
-    iterations : number of rounds
+    limit : one number, the largest strain allowed, not negative
+        0.1 is the usual tenth.
+    iterations : whole number of rounds
         The function may stop earlier, when no spring is too long.
 
     Returns
@@ -49,7 +51,7 @@ def limit_strain(
     Raises
     ------
     ValueError
-        If the limit is negative, or the positions do not fit the mesh.
+        If the positions do not fit the mesh.
 
     Notes
     -----
@@ -66,13 +68,12 @@ def limit_strain(
     across and with the ratio of the masses. Leading axes of the position make
     a batch, (..., n, 3).
     """
-    mesh = as_mesh(mesh)
-    p = node_vectors(mesh, "position", position).copy()
-    longest = mesh.rest_length * (1 + not_negative("limit", limit))
-    w = mesh.inverse_mass[mesh.edges]
-    both = w[:, 0] + w[:, 1]
-    share = w[:, 0] / np.where(both > 0, both, 1.0)
-    can_fit = (both > 0) & (longest > 0)
+    require_fit(mesh, position=position)
+    p = position.copy()
+    longest = mesh.rest_length * (1 + limit)
+    w1, w2 = mesh.inverse_mass[mesh.edges].T
+    share = quotient(w1, w1 + w2)
+    can_fit = (w1 + w2 > 0) & (longest > 0)
     springs = list(
         zip(mesh.edges[can_fit], longest[can_fit], share[can_fit], strict=True)
     )
@@ -99,10 +100,11 @@ def _fit(
             break
 
 
+@domain
 def static_shape(
-    mesh: SpringMesh,
-    position: ArrayLike,
-    acceleration: ArrayLike,
+    mesh: Mesh,
+    position: Finite,
+    acceleration: Number,
     tolerance: float = 1e-8,
     iterations: int = 100_000,
 ) -> Array:
@@ -113,12 +115,13 @@ def static_shape(
 
     Parameters
     ----------
-    position : (..., n, 3), m, the first guess
-    acceleration : of gravity, for example; broadcast to (..., n, 3), m/s²
-    tolerance : largest net force that may be left at a free node
+    mesh : SpringMesh of n nodes
+    position : (..., n, 3), m, finite, the first guess
+    acceleration : broadcast to (..., n, 3), m/s², of gravity, for example
+    tolerance : one number, the net force that may be left at a free node
         It is relative to the largest weight, or to the largest net force at
         the start if no node has a weight.
-    iterations : largest number of steps
+    iterations : whole number, the most steps
 
     Returns
     -------
@@ -133,7 +136,7 @@ def static_shape(
         If no such shape is found within the given number of steps. A mesh
         without pinned nodes, for example, falls for ever.
     ValueError
-        If a position is not finite, or the positions do not fit the mesh.
+        If the positions do not fit the mesh.
 
     Notes
     -----
@@ -153,39 +156,28 @@ def static_shape(
     so a step of 1 leaves a margin of a factor √2. The weights keep the true
     masses.
     """
-    p = finite_vectors(mesh, "position", position)
-    weight = np.where(mesh.pinned, 0.0, mesh.mass)[:, None] * np.asarray(
-        acceleration, dtype=float
-    )
-    held_by = np.bincount(
-        mesh.edges.ravel(), np.repeat(mesh.stiffness, 2), len(mesh.mass)
-    )[:, None]
-    softness = np.where(
-        mesh.pinned[:, None], 0.0, 1 / np.where(held_by > 0, held_by, 1.0)
-    )
-    v, energy, scale = (
-        np.zeros_like(p),
-        np.zeros((*p.shape[:-2], 1, 1)),
-        _largest_force(weight),
-    )
+    require_fit(mesh, position=position)
+    mass = np.where(mesh.pinned, 0.0, mesh.mass)[:, None]
+    weight = mass * acceleration
+    ends = mesh.edges.ravel()
+    stiffness = np.bincount(ends, np.repeat(mesh.stiffness, 2), len(mass))
+    inertia: Array = stiffness[:, None]
+    softness = held(mesh, quotient(1.0, inertia, 1.0))
+    scale = _largest_force(weight)
+    p = position
+    v = np.zeros_like(p)
+    energy = np.zeros((*p.shape[:-2], 1, 1))
     for _ in range(max(1, iterations)):
-        net = np.where(
-            mesh.pinned[:, None],
-            0.0,
-            mesh_forces(mesh, p, np.zeros_like(p)) + weight,
-        )
+        net = held(mesh, mesh_forces(mesh, p, np.zeros_like(p)) + weight)
         scale = np.where(scale > 0, scale, _largest_force(net))
         if np.all(_largest_force(net) <= tolerance * scale):
-            return np.array(p)
+            return p.copy()
         v = v + softness * net
-        before, energy = (
-            energy,
-            np.sum(held_by * v * v, axis=(-2, -1), keepdims=True),
-        )
-        v, energy = (
-            np.where(energy < before, 0.0, v),
-            np.where(energy < before, 0.0, energy),
-        )
+        before = energy
+        energy = np.sum(inertia * v * v, axis=(-2, -1), keepdims=True)
+        past_peak = energy < before
+        v = np.where(past_peak, 0.0, v)
+        energy = np.where(past_peak, 0.0, energy)
         p = p + v
     left = np.max(_largest_force(net))
     raise RuntimeError(
@@ -196,6 +188,4 @@ def static_shape(
 
 def _largest_force(force: Array) -> Array:
     """The size of the largest of the forces (..., n, 3), as (...)."""
-    return np.asarray(
-        np.max(np.linalg.norm(force, axis=-1), axis=-1, initial=0.0)
-    )
+    return np.max(np.linalg.norm(force, axis=-1), axis=-1, initial=0.0)

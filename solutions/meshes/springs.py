@@ -5,101 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite
-from solutions.meshes.mesh import AnyMesh, SpringMesh, as_mesh, lengths
+from solutions.domain import Number, domain
+from solutions.meshes.mesh import Mesh, SpringMesh, lengths
+from solutions.vectors import quotient
 
 
-def node_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
-    """Return the value as floats (..., n, 3), one vector for each node.
-
-    Raises
-    ------
-    ValueError
-        If the value has another shape.
-    """
-    array = np.asarray(value, dtype=float)
-    if array.shape[-2:] != (len(mesh.mass), 3):
-        raise ValueError(
-            f"{name} must have the shape (..., {len(mesh.mass)}, 3),"
-            f" not {array.shape}"
-        )
-    return array
-
-
-def finite_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
-    """Return the value as `node_vectors` does, and refuse infinity and NaN.
-
-    Functions use it where such a number would silently lead to a wrong result.
-
-    Raises
-    ------
-    ValueError
-        If the value has another shape, or a number in it is not finite.
-    """
-    return finite(name, node_vectors(mesh, name, value))
-
-
-def across_edges(mesh: SpringMesh, vector: Array) -> Array:
-    """Difference over every edge of a quantity: end 1 minus end 2.
-
-    It turns (..., n, 3) into (..., m, 3).
-    """
-    return np.asarray(
-        np.take(vector, mesh.edges[:, 0], axis=-2)
-        - np.take(vector, mesh.edges[:, 1], axis=-2)
-    )
-
-
-def onto_nodes(mesh: SpringMesh, force: Array) -> Array:
-    """Sum for every node over its edges: plus on end 1, minus on end 2.
-
-    It turns (..., m, 3) into (..., n, 3).
-    """
-    shape = (*force.shape[:-2], len(mesh.mass), 3)
-    batch = np.arange(math.prod(shape[:-2]))[:, None]
-    first, second = (
-        ((batch * shape[-2] + end)[..., None] * 3 + np.arange(3)).ravel()
-        for end in (mesh.edges[:, 0], mesh.edges[:, 1])
-    )
-    size = math.prod(shape)
-    return np.asarray(
-        np.bincount(first, force.ravel(), size)
-        - np.bincount(second, force.ravel(), size)
-    ).reshape(shape)
-
-
-def edge_directions(
-    mesh: SpringMesh, position: ArrayLike
-) -> tuple[Array, Array]:
-    """Unit vector u from end 2 to end 1 of every edge, and its length L.
-
-    Parameters
-    ----------
-    position : (..., n, 3), m
-
-    Returns
-    -------
-    direction : (..., m, 3)
-        Zero where both ends are at the same place: such an edge has no
-        direction.
-    length : (..., m), m
-
-    Raises
-    ------
-    ValueError
-        If the positions do not fit the mesh.
-    """
-    between = across_edges(mesh, node_vectors(mesh, "position", position))
-    length = lengths(between)
-    return between / np.where(length > 0, length, 1.0)[..., None], length
-
-
-def mesh_forces(
-    mesh: AnyMesh, position: ArrayLike, velocity: ArrayLike
-) -> Array:
+@domain
+def mesh_forces(mesh: Mesh, position: Number, velocity: Number) -> Array:
     """Force of springs and dampers on every node (slides 28 and 29).
 
     A spring that is longer than its rest length pulls its two ends together,
@@ -109,7 +23,7 @@ def mesh_forces(
     Parameters
     ----------
     mesh : SpringMesh of n nodes
-    position, velocity : (n, 3), m and m/s
+    position, velocity : (n, 3), m, m/s
 
     Returns
     -------
@@ -136,24 +50,48 @@ def mesh_forces(
     turns the edge, and no damper resists it. Leading axes of position and
     velocity make a batch, (..., n, 3).
     """
-    mesh = as_mesh(mesh)
+    require_fit(mesh, velocity=velocity)
     u, length = edge_directions(mesh, position)
-    rate = np.einsum(
-        "...i,...i->...",
-        across_edges(mesh, node_vectors(mesh, "velocity", velocity)),
-        u,
-    )
-    tension = (
-        mesh.stiffness * (length - mesh.rest_length) + mesh.damping * rate
-    )
+    rate = np.einsum("...i,...i->...", across_edges(mesh, velocity), u)
+    spring = mesh.stiffness * (length - mesh.rest_length)
+    tension = spring + mesh.damping * rate
     return onto_nodes(mesh, -tension[..., None] * u)
 
 
-def mesh_energy(mesh: SpringMesh, position: ArrayLike) -> Array:
+@domain
+def edge_directions(mesh: Mesh, position: Number) -> tuple[Array, Array]:
+    """Unit vector u from end 2 to end 1 of every edge, and its length L.
+
+    Parameters
+    ----------
+    mesh : SpringMesh of n nodes and m springs
+    position : (..., n, 3), m
+
+    Returns
+    -------
+    direction : (..., m, 3)
+        Zero where both ends are at the same place: such an edge has no
+        direction.
+    length : (..., m), m
+
+    Raises
+    ------
+    ValueError
+        If the positions do not fit the mesh.
+    """
+    require_fit(mesh, position=position)
+    between = across_edges(mesh, position)
+    length = lengths(between)
+    return quotient(between, length[..., None]), length
+
+
+@domain
+def mesh_energy(mesh: Mesh, position: Number) -> Array:
     """Energy stored in the springs.
 
     Parameters
     ----------
+    mesh : SpringMesh of n nodes
     position : (..., n, 3), m
 
     Returns
@@ -173,20 +111,23 @@ def mesh_energy(mesh: SpringMesh, position: ArrayLike) -> Array:
 
         E = Σ k (L − L0)²/2
     """
-    stretch = edge_directions(mesh, position)[1] - mesh.rest_length
-    return np.asarray(np.sum(mesh.stiffness * stretch**2 / 2, axis=-1))
+    _, length = edge_directions(mesh, position)
+    stretch = length - mesh.rest_length
+    return np.sum(mesh.stiffness * stretch**2 / 2, axis=-1)
 
 
-def edge_strain(mesh: SpringMesh, position: ArrayLike) -> Array:
+@domain
+def edge_strain(mesh: Mesh, position: Number) -> Array:
     """Strain of every spring, negative where the spring is shortened.
 
     Parameters
     ----------
+    mesh : SpringMesh of n nodes and m springs
     position : (..., n, 3), m
 
     Returns
     -------
-    (..., m)
+    (..., m), without a unit
         Zero for a spring whose rest length is zero, as no strain is defined
         for it.
 
@@ -201,9 +142,46 @@ def edge_strain(mesh: SpringMesh, position: ArrayLike) -> Array:
 
         (L − L0)/L0
     """
-    stretch = edge_directions(mesh, position)[1] - mesh.rest_length
-    return np.where(
-        mesh.rest_length > 0,
-        stretch / np.where(mesh.rest_length > 0, mesh.rest_length, 1.0),
-        0.0,
+    _, length = edge_directions(mesh, position)
+    return quotient(length - mesh.rest_length, mesh.rest_length)
+
+
+def require_fit(mesh: SpringMesh, **vectors: Array) -> None:
+    """Raise a ValueError unless each is (..., n, 3), one vector a node."""
+    nodes = len(mesh.mass)
+    for name, array in vectors.items():
+        if array.shape[-2:] != (nodes, 3):
+            raise ValueError(
+                f"{name} must have the shape (..., {nodes}, 3),"
+                f" not {array.shape}"
+            )
+
+
+def held(mesh: SpringMesh, vectors: Array) -> Array:
+    """The vectors of the nodes, with those of pinned nodes set to zero."""
+    return np.where(mesh.pinned[:, None], 0.0, vectors)
+
+
+def across_edges(mesh: SpringMesh, vectors: Array) -> Array:
+    """Difference over every edge of a quantity: end 1 minus end 2.
+
+    It turns (..., n, 3) into (..., m, 3).
+    """
+    first, second = mesh.edges.T
+    return np.take(vectors, first, axis=-2) - np.take(vectors, second, axis=-2)
+
+
+def onto_nodes(mesh: SpringMesh, force: Array) -> Array:
+    """Sum for every node over its edges: plus on end 1, minus on end 2.
+
+    It turns (..., m, 3) into (..., n, 3).
+    """
+    shape = (*force.shape[:-2], len(mesh.mass), 3)
+    batch = np.arange(math.prod(shape[:-2]))[:, None]
+    first, second = (
+        ((batch * shape[-2] + end)[..., None] * 3 + np.arange(3)).ravel()
+        for end in mesh.edges.T
     )
+    gained = np.bincount(first, force.ravel(), math.prod(shape))
+    lost = np.bincount(second, force.ravel(), math.prod(shape))
+    return (gained - lost).reshape(shape)

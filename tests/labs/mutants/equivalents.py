@@ -526,25 +526,10 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
         "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
     },
-    "explicit_euler": {
-        NOT_NEGATIVE: ("in _state: size for it: …, np.abs(time))",),
-        "Students get the acceleration as numbers, not as a function.": (
-            "in _at: size for it: acceleration(position, velocity) → np.abs(acceleration(position, velocity))",
-        ),
-    },
     "universal_gravity": {
         "Only its square is used.": ("softening: sign flipped",),
-        ORDER: ("in _masses: results swapped: (mass_1, mass_2) → (mass_2, mass_1)",),
-        NOT_NEGATIVE: ("in _apart: size for it: (d, …) → (d, …", "in _masses: size for it: …"),
     },
     "spring_force": {NOT_NEGATIVE: ("size for it: length - rest_length → …",)},
-    "_line": {
-        NOT_NEGATIVE: ("size for it: (length, …) → (np.abs(length), …",),
-        "Without a length the vector is zero, whatever it is divided by.": (
-            "twice the number: 1.0 → 2.0",
-            "half the number: 1.0 → 0.5",
-        ),
-    },
     "spring_step_limit": {
         FIRST_OF_BOTH: ("boundary: squared > critical → squared >= critical",),
         "The root is used only where the motion does not swing.": (
@@ -636,17 +621,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
         NOT_NEGATIVE: (*POSITIVE_PARTS, "size for it: …"),
     },
-    "_quotient": {NOT_NEGATIVE: ("size for it: np.where(b > 0, …",)},
-    "_not_zero": {
-        "The quotient is used only where it is not infinite.": (
-            "branch dropped: np.where(value > 0, value, 1.0) → shaped(value, value > 0)",
-            "boundary: value > 0 → value >= 0",
-            "condition dropped: value > 0 → always(value > 0)",
-            "twice the number: 1.0 → 2.0",
-            "half the number: 1.0 → 0.5",
-        ),
-        NOT_NEGATIVE: ("size for it: np.where(value > 0, …",),
-    },
     "mesh_sphere_contact": {
         "A node meets the sphere by itself: neither its springs nor its mass count.": (
             "edges of mesh: left out",
@@ -661,9 +635,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "twice the number: 1.0 → 2.0",
             "half the number: 1.0 → 0.5",
         ),
+        "Only its size is used.": ("sign flipped: bounced - velocity → velocity - bounced",),
         NOT_NEGATIVE: ("size for it: distance - radius → …",),
     },
-    "_answered": {"Only its size is used.": ("sign flipped: after - v → v - after",)},
     "_slowed": {NOT_NEGATIVE: ("size for it: 1 - np.minimum(…",)},
     "limit_strain": {
         "Only lengths and masses count.": tuple(

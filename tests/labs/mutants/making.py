@@ -23,7 +23,6 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes import probes
-from labs.grading.worker.bodies import SpringMesh
 from mutants import arguments, operators
 from reference import lecture
 from solutions.domain import Rules, _domains
@@ -41,18 +40,6 @@ def _named(_name: str, value: Any) -> Any:
     return np.asarray(value, dtype=float)
 
 
-def _springs(mesh: Any) -> SpringMesh:
-    return SpringMesh(np.asarray(mesh[0], dtype=int), *_floats(*mesh[1:5]), np.asarray(mesh[5], dtype=bool))
-
-
-def _edges(edges: Any, _nodes: int) -> Any:
-    return np.asarray(edges).reshape(-1, 2)
-
-
-def _vectors(_mesh: Any, _name: str, value: Any) -> Any:
-    return np.asarray(value, dtype=float)
-
-
 CHECKS = dict.fromkeys(
     (
         "finite",
@@ -67,7 +54,6 @@ CHECKS = dict.fromkeys(
     ),
     _named,
 ) | {"checked": lambda body: _floats(*body), "_checked": _floats}
-CHECKS |= {"as_mesh": _springs, "checked_edges": _edges, "node_vectors": _vectors}
 """What stands for the checks of what enters: they turn lists into arrays."""
 OF_A_WORLD = ("candidate_pairs", "collect_contacts", "resting_problem", "solve_by_sweeps", "respond",
               "rotate_by_momentum")  # fmt: skip
@@ -314,7 +300,8 @@ def _unchecked(name: str, value: Any, rules: Rules) -> Any:
     try:
         return functools.reduce(lambda array, rule: rule(name, array), rules, value)
     except ValueError:
-        return np.asarray(value, dtype=float)
+        parts = _floats(*value) if isinstance(value, tuple) else ()
+        return type(value)(*parts) if hasattr(value, "_fields") else np.asarray(value, dtype=float)
 
 
 @functools.cache
