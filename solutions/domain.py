@@ -33,8 +33,8 @@ from solutions.checks import (
 )
 
 Result = TypeVar("Result")
-Rules = tuple[Callable[[str, Any], Any], ...]
-"""Each takes the name and the value of an argument, and returns its array."""
+Rule = Callable[[str, Any], Any]
+"""It takes the name and the value of an argument, and returns its array."""
 
 Number = Annotated[Array, real]
 """Any real number, infinity and NaN too."""
@@ -77,14 +77,13 @@ def domain(function: Callable[..., Result]) -> Callable[..., Result]:
     @functools.wraps(function)
     def checked(*args: Any, **kwargs: Any) -> Result:
         rules, defaults, returned = _domains(function)
-        given = list(args)
-        for at, name in enumerate(names[: len(args)]):
-            for rule in rules.get(name, ()):
+        given, count = list(args), len(args)
+        for at, name, rule in rules:
+            if at < count:
                 given[at] = rule(name, given[at])
-        for name in kwargs:
-            for rule in rules.get(name, ()):
+            elif name in kwargs:
                 kwargs[name] = rule(name, kwargs[name])
-        for name in names[len(args) :]:
+        for name in names[count:]:
             if name in defaults:
                 kwargs.setdefault(name, defaults[name])
         result: Result = returned(function(*given, **kwargs))
@@ -102,27 +101,26 @@ def require(holds: bool | Booleans, words: str) -> None:
 @functools.cache
 def _domains(
     function: Callable[..., Any],
-) -> tuple[dict[str, Rules], dict[str, Any], Callable[[Any], Any]]:
-    """The rules of each argument, its default in its domain, and the result's.
+) -> tuple[list[tuple[int, str, Rule]], dict[str, Any], Callable[[Any], Any]]:
+    """Place, name and rule of arguments, defaults, and what the result is.
 
     They are looked up at the first call, when all annotations have a meaning.
     """
     hints = get_type_hints(function, include_extras=True)
-    result = hints.pop("return", None)
-    rules = {
-        name: found for name, hint in hints.items() if (found := _rules(hint))
-    }
-    defaults = {}
-    for name, parameter in inspect.signature(function).parameters.items():
-        if name in rules and parameter.default is not parameter.empty:
-            defaults[name] = parameter.default
-            for rule in rules[name]:
-                defaults[name] = rule(name, defaults[name])
-    is_array = result in (Array, Booleans, Integers)
+    rules, defaults = list[tuple[int, str, Rule]](), dict[str, Any]()
+    parameters = inspect.signature(function).parameters.items()
+    for at, (name, parameter) in enumerate(parameters):
+        default = parameter.default
+        for rule in _rules(hints.get(name)):
+            rules.append((at, name, rule))
+            if parameter.default is not parameter.empty:
+                default = rule(name, default)
+                defaults[name] = _kept(default)
+    is_array = hints.get("return") in (Array, Booleans, Integers)
     return rules, defaults, np.asarray if is_array else _as_it_is
 
 
-def _rules(hint: Any) -> Rules:
+def _rules(hint: Any) -> tuple[Rule, ...]:
     """The rules of an annotation; with `| None` they are not for None."""
     if NoneType not in get_args(hint):
         return getattr(hint, "__metadata__", ())
@@ -134,6 +132,13 @@ def _rules(hint: Any) -> Rules:
         return value
 
     return (unless_none,)
+
+
+def _kept(default: Any) -> Any:
+    """A default that all calls share, so that none of them can change it."""
+    if isinstance(default, np.ndarray):
+        default.flags.writeable = False
+    return default
 
 
 def _as_it_is(result: Any) -> Any:

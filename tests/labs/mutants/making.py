@@ -25,7 +25,7 @@ import numpy as np
 from labs.grading.diagnosis.probes import probes
 from mutants import arguments, operators
 from reference import lecture
-from solutions.domain import Rules, _domains
+from solutions.domain import Rule, _domains
 
 Function = Callable[..., Any]
 SKIPPED_KEYWORDS = ("axis", "axis1", "axis2", "keepdims", "dtype", "initial", "divide", "invalid")
@@ -288,17 +288,17 @@ def _of_arrays(right: FunctionType, mutant: Function) -> Function:
 
     @functools.wraps(mutant)
     def call(*args: Any, **kwargs: Any) -> Any:
-        given = dict(zip(names, args, strict=False)) | kwargs
-        return mutant(
-            **defaults | {name: _unchecked(name, value, rules.get(name, ())) for name, value in given.items()}
-        )
+        given = defaults | dict(zip(names, args, strict=False)) | kwargs
+        for _, name, rule in rules:
+            given[name] = _unchecked(name, given[name], rule)
+        return mutant(**given)
 
-    return call if any(rules.values()) else mutant
+    return call if rules else mutant
 
 
-def _unchecked(name: str, value: Any, rules: Rules) -> Any:
+def _unchecked(name: str, value: Any, rule: Rule) -> Any:
     try:
-        return functools.reduce(lambda array, rule: rule(name, array), rules, value)
+        return rule(name, value)
     except ValueError:
         parts = _floats(*value) if isinstance(value, tuple) else ()
         return type(value)(*parts) if hasattr(value, "_fields") else np.asarray(value, dtype=float)
