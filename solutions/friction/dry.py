@@ -22,7 +22,7 @@ def holds(
     normal_force: FiniteNotNegative,
     static_friction: FiniteNotNegative,
 ) -> Booleans:
-    """Whether static friction can hold a body at rest: ‖push‖ ≤ μ_s N (slide 24).
+    """Whether static friction can hold a body at rest (slide 24).
 
     Parameters
     ----------
@@ -38,7 +38,9 @@ def holds(
     -----
     The slide's F_s = μ_s F_N is only the largest value that static friction
     can take. A body at rest needs the friction −push, and it stays at rest
-    while that is not above this value.
+    while
+
+        ‖push‖ ≤ μ_s N
     """
     return np.linalg.norm(push, axis=-1) <= static_friction * normal_force
 
