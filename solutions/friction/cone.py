@@ -24,7 +24,7 @@ def clamp_to_circle(tangent_force: Triple, limit: NotNegative) -> Array:
     Parameters
     ----------
     tangent_force : (..., 3), F_t, along the surface, N (or an impulse, N s)
-    limit : (...), μ N, in the same unit
+    limit : (...), μ N, in the same unit, not negative
 
     Returns
     -------
@@ -58,7 +58,7 @@ def clamp_to_square(
     Parameters
     ----------
     tangent_force : (..., 3), F_t, along the surface, N (or an impulse, N s)
-    limit : (...), μ N, in the same unit
+    limit : (...), μ N, in the same unit, not negative
     axis_x, axis_y : (..., 3), unit, along the surface and at right angles
 
     Returns

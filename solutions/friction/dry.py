@@ -27,8 +27,8 @@ def holds(
     Parameters
     ----------
     push : (..., 3), sum of the other forces along the surface, N
-    normal_force : (...), N, in N, not negative
-    static_friction : (...), μ_s
+    normal_force : (...), N, in newtons, not negative
+    static_friction : (...), μ_s, not negative
 
     Returns
     -------
@@ -59,8 +59,8 @@ def friction_force(
     ----------
     push : (..., 3), sum of the other forces along the surface, N
     tangent_velocity : (..., 3), along the surface and relative to it, m/s
-    normal_force : (...), N, in N, not negative
-    static_friction, kinetic_friction : (...), μ_s and μ_k, μ_s ≥ μ_k
+    normal_force : (...), N, in newtons, not negative
+    static_friction, kinetic_friction : (...), μ_s ≥ μ_k ≥ 0
 
     Returns
     -------
@@ -106,10 +106,10 @@ def sliding_motion(
     position, tangent_velocity, push : (..., 3), m, m/s, N
         The push acts along the velocity or against it, or there is no
         velocity.
-    normal_force : (...), N, in N, not negative
-    static_friction, kinetic_friction : (...), μ_s and μ_k, μ_s ≥ μ_k
-    mass : (...), m, kg
-    dt : (...), Δt, s
+    normal_force : (...), N, in newtons, not negative
+    static_friction, kinetic_friction : (...), μ_s ≥ μ_k ≥ 0
+    mass : (...), m, kg, positive
+    dt : (...), Δt, s, not negative
 
     Returns
     -------
@@ -135,17 +135,18 @@ def sliding_motion(
     """
 
     def acceleration(velocity: Array) -> Array:
-        friction = friction_force(
+        force = push + friction_force(
             push, velocity, normal_force, static_friction, kinetic_friction
         )
-        return (push + friction) / mass[..., None]
+        return force / mass[..., None]
 
     v = tangent_velocity
     a = acceleration(v)
     speed_squared = np.vecdot(v, v)
     braking = -np.vecdot(v, a)
     stops = (speed_squared > 0) & (speed_squared <= braking * dt)
-    stopping_time = np.where(stops, quotient(speed_squared, braking), np.inf)
+    braking = np.where(stops, braking, 0.0)
+    stopping_time = quotient(speed_squared, braking, np.inf)
     sliding = np.minimum(stopping_time, dt)[..., None]
     p = position + v * sliding + a * sliding * sliding / 2
     v = np.where(stops[..., None], 0.0, v + a * sliding)

@@ -40,7 +40,7 @@ def point_inverse_mass(
 
     Parameters
     ----------
-    inverse_mass : (...), 1/m, 1/kg
+    inverse_mass : (...), 1/m, 1/kg, not negative
     inverse_inertia : (..., 3, 3), I⁻¹ in the world frame, 1/(kg m²)
     arm : (..., 3), r, from the centre of mass to the point, m
 
@@ -91,7 +91,7 @@ def friction_impulse(
     normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
@@ -206,9 +206,9 @@ def sphere_impact(
     ----------
     velocity, angular_velocity : (..., 3), v and ω, m/s and rad/s
     normal : (..., 3), n, unit, out of the plane
-    radius : (...), R, m
-    restitution, friction : (...), e, 0 to 1, and μ
-    inertia_share : (...), I/(m R²)
+    radius : (...), R, m, positive
+    restitution, friction : (...), e, 0 to 1, and μ, not negative
+    inertia_share : (...), I/(m R²), positive
         2/5 for a solid sphere, 2/3 for a hollow one.
 
     Returns

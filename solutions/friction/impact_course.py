@@ -357,4 +357,4 @@ def _slope(start: Array, k: Array, mu: Array, now: Array) -> Array:
 
 def _solve(k: Array, right: Array) -> Array:
     """Solve k x = right for vectors."""
-    return np.linalg.solve(k, right[..., None])[..., 0]
+    return np.asarray(np.linalg.solve(k, right[..., None])[..., 0])

@@ -50,7 +50,7 @@ def dissipative_impulse(
     normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
@@ -139,7 +139,7 @@ def poisson_impulse(
     normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1, the ratio of the two normal impulses
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
@@ -197,7 +197,7 @@ def stronge_impulse(
     normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1, the root of the ratio of the two works
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------

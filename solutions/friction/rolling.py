@@ -32,10 +32,10 @@ def roll_step(
     ----------
     velocity : (..., 3), v of the centre, along the floor: v_z = 0, m/s
     spin : (..., 3), ω, rad/s
-    radius : (...), R, m
-    friction : (...), μ, static and kinetic
-    gravity : (...), g, downwards, m/s²
-    dt : (...), Δt, s
+    radius : (...), R, m, positive
+    friction : (...), μ, static and kinetic, not negative
+    gravity : (...), g, downwards, m/s², not negative
+    dt : (...), Δt, s, not negative
 
     Returns
     -------

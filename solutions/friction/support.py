@@ -32,14 +32,14 @@ def support_force(
 
     Parameters
     ----------
-    mass : (...), m, kg
+    mass : (...), m, kg, positive
     gravity, frame_acceleration : (..., 3), g and a of the support, m/s²
     push : (..., 3), F, any other force on the body, N
     normal : (..., 3), n, unit, out of the support
 
     Returns
     -------
-    normal_force : (...), N, in N
+    normal_force : (...), N, in newtons
         What the support pushes with. It cannot pull: a force that lifts the
         body off leaves 0.
     along : (..., 3), N
@@ -48,9 +48,9 @@ def support_force(
 
     Notes
     -----
-    Seen from a support that accelerates with a, a body that moves
-    with the support is at rest, and the inertial force −m a acts on it beside
-    the weight m g and the push:
+    Seen from a support that accelerates with a, a body that moves with the
+    support is at rest, and the inertial force −m a acts on it beside the
+    weight m g and the push:
 
         F_all = m (g − a) + F
 
@@ -88,7 +88,7 @@ def break_away_time(
         The sum of all forces except the support's, and the rate at which it
         grows.
     normal : (..., 3), n, unit, out of the support
-    static_friction : (...), μ_s
+    static_friction : (...), μ_s, not negative
 
     Returns
     -------

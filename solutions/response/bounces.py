@@ -87,7 +87,7 @@ def bounce_along_normal(
     normal_velocity : (...), u, m/s, positive when moving away
     normal_acceleration : (...), a, m/s², negative towards the plane
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step, not negative
     most_impacts : int, how many rounds at most
 
     Returns
@@ -160,7 +160,7 @@ def bounce_through_step(
     normal : (..., 3), n, unit, out of the plane
     offset : (...), d, m
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step, not negative
     most_impacts : int, how many rounds at most
 
     Returns

@@ -39,12 +39,12 @@ def bounce(
     ----------
     position, velocity, acceleration : (..., 3), m, m/s, m/s²
         At the start. The acceleration stays as it is.
-    normal : (..., 3), unit, out of the plane
+    normal : (..., 3), n, unit, out of the plane
     offset : (...), d, m
         Of the plane that the centre must not pass. It lies one radius before
         the one that the ball touches.
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of each step
+    dt : (...), s, length of each step, not negative
     steps : int, how many, 0 or more, the same for all balls of a call
 
     Returns

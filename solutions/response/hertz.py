@@ -47,8 +47,8 @@ def hertz_force(
     normal_velocity : (...), v_n, m/s, positive when moving away
         Relative to the other body.
     normal : (..., 3), n, unit, out of the other body
-    stiffness : (...), k, N/m^{3/2}
-    damping : (...), c, N s/m^{5/4}, as from `hertz_damping`
+    stiffness : (...), k, N/m^{3/2}, not negative
+    damping : (...), c, N s/m^{5/4}, not negative; see `hertz_damping`
     adhesive : bool, whether the contact may pull
 
     Returns

@@ -39,8 +39,8 @@ def penalty_force(
     normal_velocity : (...), v_n, m/s, positive when moving away
         Relative to the plane.
     normal : (..., 3), n, unit, out of the plane
-    stiffness : (...), k, N/m
-    damping : (...), c, N s/m
+    stiffness : (...), k, N/m, not negative
+    damping : (...), c, N s/m, not negative
     adhesive : bool, whether the contact may pull
 
     Returns
@@ -109,7 +109,7 @@ def penalty_step_limit(
     ----------
     mass : (...), m, kg, positive
     stiffness : (...), k, N/m, positive
-    damping : (...), c, N s/m
+    damping : (...), c, N s/m, not negative
 
     Returns
     -------

@@ -35,7 +35,7 @@ def penalty_restitution(
     ----------
     mass : (...), m, kg, positive
     stiffness : (...), k, N/m, positive
-    damping : (...), c, N s/m
+    damping : (...), c, N s/m, not negative
     adhesive : bool, whether the contact may pull
 
     Returns

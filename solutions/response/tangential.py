@@ -42,11 +42,11 @@ def tangential_spring(
         Of the body's point relative to the other's. Only its part along the
         surface counts.
     normal : (..., 3), unit, out of the other body
-    normal_force : (...), N, in N, not negative
-    friction : (...), μ
+    normal_force : (...), N, in newtons, not negative
+    friction : (...), μ, not negative
     stiffness : (...), k_t, N/m, positive
-    damping : (...), c_t, N s/m
-    dt : (...), length of the step, s
+    damping : (...), c_t, N s/m, not negative
+    dt : (...), s, length of the step, not negative
 
     Returns
     -------
