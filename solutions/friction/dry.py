@@ -77,13 +77,11 @@ def friction_force(
     """
     rule = "static_friction must not be less than kinetic_friction"
     require(static_friction >= kinetic_friction, rule)
-    kinetic = (kinetic_friction * normal_force)[..., None]
-    sliding = -kinetic * direction(tangent_velocity)
-    starting = -kinetic * direction(push)
-    held = holds(push, normal_force, static_friction)[..., None]
-    at_rest = np.where(held, -push, starting)
-    speed = np.linalg.norm(tangent_velocity, axis=-1)[..., None]
-    return np.where(speed > 0, sliding, at_rest)
+    slides = np.linalg.norm(tangent_velocity, axis=-1) > 0
+    held = ~slides & holds(push, normal_force, static_friction)
+    way = np.where(slides[..., None], tangent_velocity, push)
+    kinetic = (kinetic_friction * normal_force)[..., None] * direction(way)
+    return np.where(held[..., None], -push, -kinetic)
 
 
 @domain
