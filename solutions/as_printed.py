@@ -1,8 +1,8 @@
 """The slides' formulas exactly as they are printed, kept to be refuted.
 
-Only tests and the figures that show what goes wrong use these functions. The docstring
-of each function gives the slide's formula, says what goes wrong with it, and names the
-function that is right.
+Only tests and the figures that show what goes wrong use these functions. The
+docstring of each function gives the slide's formula, says what goes wrong with
+it, and names the function that is right.
 """
 
 from __future__ import annotations
@@ -10,192 +10,170 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
+from solutions.arrays import Array, Booleans
+from solutions.domain import Number, Triple, domain
 
 # Detection and response
 
 
-def point_plane_collision(
-    point: ArrayLike,
-    coefficients: ArrayLike,
-) -> NDArray[np.bool_]:
+@domain
+def point_plane_collision(point: Triple, coefficients: Number) -> Booleans:
     """Slide 4: a x + b y + c z + d < 0 ⇒ collision.
 
     Takes points (..., 3) and coefficients (..., 4), and returns bools (...).
 
-    A point that touches the plane does not collide, because 0 < 0 is false. Slide 5
-    uses the left side as a distance, and as a distance it is wrong by the factor
-    √(a² + b² + c²). The right functions are `signed_distance` and `side_of_plane`.
+    A point that touches the plane does not collide, because 0 < 0 is false.
+    Slide 5 uses the left side as a distance, and as a distance it is wrong by
+    the factor √(a² + b² + c²). The right functions are `signed_distance` and
+    `side_of_plane`.
     """
-    plane = np.asarray(coefficients, dtype=float)
-    return np.asarray(
-        np.sum(plane[..., :3] * np.asarray(point, dtype=float), axis=-1)
-        + plane[..., 3]
-        < 0
-    )
+    abc, d = coefficients[..., :3], coefficients[..., 3]
+    return np.sum(abc * point, axis=-1) + d < 0
 
 
-def time_of_impact(
-    t: ArrayLike, dt: ArrayLike, d1: ArrayLike, d2: ArrayLike
-) -> Array:
+@domain
+def time_of_impact(t: Number, dt: Number, d1: Number, d2: Number) -> Array:
     """Slide 5: T = t + Δt d1/(d1 + d2), (...), s.
 
-    Slide 4 gives signed distances, and behind the plane d2 is negative. T then lies
-    outside the step, and where d1 = −d2 it is infinite or not a number. Two distances
-    on the same side of the plane give a T although nothing was hit. The right function
-    is `time_of_impact_interpolated`.
+    Slide 4 gives signed distances, and behind the plane d2 is negative. T then
+    lies outside the step, and where d1 = −d2 it is infinite or not a number.
+    Two distances on the same side of the plane give a T although nothing was
+    hit. The right function is `time_of_impact_interpolated`.
     """
-    first, second = np.asarray(d1, dtype=float), np.asarray(d2, dtype=float)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(t + np.asarray(dt) * first / (first + second))
+        return t + dt * d1 / (d1 + d2)
 
 
-def mirror_response(velocity: ArrayLike, normal: ArrayLike) -> Array:
+@domain
+def mirror_response(velocity: Triple, normal: Triple) -> Array:
     """Slide 7: v' = v − 2 (v·N) N, (..., 3), m/s.
 
-    Every bounce is elastic. The formula also lacks a guard: a point that is still
-    behind the plane at the next step, but already moves out, is thrown back in and
-    never leaves. The right function is `kinematic_response`.
+    Every bounce is elastic. The formula also lacks a guard: a point that is
+    still behind the plane at the next step, but already moves out, is thrown
+    back in and never leaves. The right function is `kinematic_response`.
     """
-    v, n = np.asarray(velocity, dtype=float), np.asarray(normal, dtype=float)
-    return np.asarray(v - 2 * np.sum(v * n, axis=-1, keepdims=True) * n)
+    v, n = velocity, normal
+    return v - 2 * np.sum(v * n, axis=-1, keepdims=True) * n
 
 
-def penalty_force(stiffness: ArrayLike, distance: ArrayLike) -> Array:
+@domain
+def penalty_force(stiffness: Number, distance: Number) -> Array:
     """Slide 8: F = k d, (...), N, a number without a direction.
 
-    With the signed distance of slide 4, the force pulls a point behind the plane deeper
-    in and pushes away a point that does not touch. With a depth for d, the formula must
-    still be kept from pulling before the contact; and without damping every impact is
-    elastic. The right function is `penalty_force` of `solutions.response`.
+    With the signed distance of slide 4, the force pulls a point behind the
+    plane deeper in and pushes away a point that does not touch. With a depth
+    for d, the formula must still be kept from pulling before the contact; and
+    without damping every impact is elastic. The right function is
+    `penalty_force` of `solutions.response`.
     """
-    return np.asarray(
-        np.asarray(stiffness, dtype=float) * np.asarray(distance, dtype=float)
-    )
+    return stiffness * distance
 
 
 # Friction
 
 
+@domain
 def static_friction_force(
-    normal_force: ArrayLike, static_friction: ArrayLike
+    normal_force: Number, static_friction: Number
 ) -> Array:
     """Slide 24: F_s = μ_s F_N, (...), N, a number without a direction.
 
-    Taken as the force of friction, it sets a body in motion that nothing pushes, and it
-    pushes back harder than one pushes. It is only the largest value that static
-    friction can take. The right functions are `holds` and `friction_force`.
+    Taken as the force of friction, it sets a body in motion that nothing
+    pushes, and it pushes back harder than one pushes. It is only the largest
+    value that static friction can take. The right functions are `holds` and
+    `friction_force`.
     """
-    return np.asarray(
-        np.asarray(static_friction, dtype=float)
-        * np.asarray(normal_force, dtype=float)
-    )
+    return static_friction * normal_force
 
 
 # Impulse
 
 
+@domain
 def velocity_after_restitution(
-    normal_velocity: ArrayLike,
-    restitution: ArrayLike,
+    normal_velocity: Number, restitution: Number
 ) -> Array:
     """Prose of slide 12: e u_n⁻, (...), m/s.
 
-    The slide says "the fraction of the relative velocity the points will have". Without
-    the reversal, two points that approach each other continue to approach, only more
-    slowly. The right function is `rebound_velocity`.
+    The slide says "the fraction of the relative velocity the points will
+    have". Without the reversal, two points that approach each other continue
+    to approach, only more slowly. The right function is `rebound_velocity`.
     """
-    return np.asarray(
-        np.asarray(restitution, dtype=float)
-        * np.asarray(normal_velocity, dtype=float)
-    )
+    return restitution * normal_velocity
 
 
+@domain
 def velocities_after_impulse(
-    velocity_a: ArrayLike,
-    velocity_b: ArrayLike,
-    mass_a: ArrayLike,
-    mass_b: ArrayLike,
-    impulse: ArrayLike,
+    velocity_a: Triple,
+    velocity_b: Triple,
+    mass_a: Number,
+    mass_b: Number,
+    impulse: Triple,
 ) -> tuple[Array, Array]:
-    """Slide 18: v⁺_A = v⁻_A + j n/M_A and v⁺_B = v⁻_B + j n/M_B, (..., 3), m/s.
+    """Slide 18: v⁺_A = v⁻_A + j n/M_A and v⁺_B = v⁻_B + j n/M_B, m/s.
 
-    The argument `impulse` is J = j n, (..., 3), N s. With a plus sign on both, the pair
-    gains the momentum 2 J out of nothing and pushes itself along. The right function is
-    `apply_impulse`.
+    The argument `impulse` is J = j n, (..., 3), N s, and the velocities are
+    (..., 3). With a plus sign on both, the pair gains the momentum 2 J out of
+    nothing and pushes itself along. The right function is `apply_impulse`.
     """
-    j = np.asarray(impulse, dtype=float)
-    after_a = (
-        np.asarray(velocity_a, dtype=float)
-        + j / np.asarray(mass_a, dtype=float)[..., None]
-    )
-    after_b = (
-        np.asarray(velocity_b, dtype=float)
-        + j / np.asarray(mass_b, dtype=float)[..., None]
-    )
-    return np.asarray(after_a), np.asarray(after_b)
+    after_a = velocity_a + impulse / mass_a[..., None]
+    after_b = velocity_b + impulse / mass_b[..., None]
+    return after_a, after_b
 
 
+@domain
 def contact_kind(
-    relative_velocity: ArrayLike,
-    threshold: ArrayLike,
+    relative_velocity: Number, threshold: Number
 ) -> NDArray[np.str_]:
     """Slide 21: the kind of a contact by the sign of V_rel, (...), words.
 
-    The slide calls V_rel > threshold colliding, otherwise V_rel < −threshold resting,
-    and everything else moving away. With n from A to B, V_rel is positive for bodies
-    that approach, and the first test is right. The second test calls bodies that move
-    away fast resting, and bodies that rest moving away. With n from B to A the first
-    test is wrong too. The right function is `classify_contact`.
+    The slide calls V_rel > threshold colliding, otherwise V_rel < −threshold
+    resting, and everything else moving away. With n from A to B, V_rel is
+    positive for bodies that approach, and the first test is right. The second
+    test calls bodies that move away fast resting, and bodies that rest moving
+    away. With n from B to A the first test is wrong too. The right function is
+    `classify_contact`.
     """
-    v, limit = (
-        np.asarray(relative_velocity, dtype=float),
-        np.asarray(threshold, dtype=float),
-    )
-    return np.where(
-        v > limit, "colliding", np.where(v < -limit, "resting", "separating")
-    )
+    resting = relative_velocity < -threshold
+    otherwise = np.where(resting, "resting", "separating")
+    return np.where(relative_velocity > threshold, "colliding", otherwise)
 
 
 # Avoidance
 
 
-def force_field(
-    position: ArrayLike, centre: ArrayLike, strength: ArrayLike
-) -> Array:
+@domain
+def force_field(position: Triple, centre: Triple, strength: Number) -> Array:
     """Slide 1: "force fields", read as F0 (p − c)/‖p − c‖³, (..., 3), N.
 
-    The slide says no more than these two words. This function gives the field no range,
-    as gravity has none; F0 is its strength in N at a distance of 1 m.
+    The slide says no more than these two words. This function gives the field
+    no range, as gravity has none; F0 is its strength in N at a distance of
+    1 m.
 
-    Every body feels the field everywhere. A body at rest far away is driven off, and a
-    body that is drawn to a goal comes to rest beside it. At the surface of a large
-    obstacle the field is weak. The right function is `sphere_force`, which ends at its
-    reach.
+    Every body feels the field everywhere. A body at rest far away is driven
+    off, and a body that is drawn to a goal comes to rest beside it. At the
+    surface of a large obstacle the field is weak. The right function is
+    `sphere_force`, which ends at its reach.
     """
-    away = np.asarray(position, dtype=float) - np.asarray(centre, dtype=float)
+    away = position - centre
     distance = np.linalg.norm(away, axis=-1, keepdims=True)
-    return np.asarray(
-        np.asarray(strength, dtype=float)[..., None] * away / distance**3
-    )
+    return strength[..., None] * away / distance**3
 
 
-def seek(
-    position: ArrayLike, target: ArrayLike, max_speed: ArrayLike
-) -> Array:
-    """Beside slide 1: v_wanted = v_max normalize(position − target), (..., d), m/s.
+@domain
+def seek(position: Number, target: Number, max_speed: Number) -> Array:
+    """Beside slide 1: v_wanted = v_max normalize(position − target), m/s.
 
-    The sign is wrong, so that the body flees. The formula is printed this way in
-    "Steering Behaviors For Autonomous Characters" (Reynolds, 1999), whose figure shows
-    the right direction, and it has been copied widely. The right function is `seek` of
-    `solutions.avoidance`.
+    Takes positions (..., d) and returns velocities (..., d).
+
+    The sign is wrong, so that the body flees. The formula is printed this way
+    in "Steering Behaviors For Autonomous Characters" (Reynolds, 1999), whose
+    figure shows the right direction, and it has been copied widely. The right
+    function is `seek` of `solutions.avoidance`.
     """
-    away = np.asarray(position, dtype=float) - np.asarray(target, dtype=float)
-    return np.asarray(
-        np.asarray(max_speed, dtype=float)[..., None]
-        * away
-        / np.linalg.norm(away, axis=-1)[..., None]
-    )
+    away = position - target
+    distance = np.linalg.norm(away, axis=-1)[..., None]
+    return max_speed[..., None] * away / distance
 
 
 # Forces
@@ -204,132 +182,114 @@ def seek(
 def gravity_in_feet() -> float:
     """Slide 25: 32 ft/s² = 9.8 m/s²; returns the left side in m/s².
 
-    A foot is 0.3048 m, so that the left side is 9.7536 m/s². The two sides differ by
-    0.5 %. The right value is `STANDARD_GRAVITY`.
+    A foot is 0.3048 m, so that the left side is 9.7536 m/s². The two sides
+    differ by 0.5 %. The right value is `STANDARD_GRAVITY`.
     """
     return 32 * 0.3048
 
 
+@domain
 def viscous_force(
-    velocity: ArrayLike,
-    shape_factor: ArrayLike,
-    viscosity: ArrayLike,
+    velocity: Triple, shape_factor: Number, viscosity: Number
 ) -> Array:
-    """Slide 26: F_vis = −K n v, (..., 3), N, where the slide's n is the viscosity η.
+    """Slide 26: F_vis = −K n v, (..., 3), N; the slide's n is the viscosity η.
 
-    Read with the body's own velocity, the force brakes a body that drifts along with a
-    river. The right function is `stokes_drag`.
+    Read with the body's own velocity, the force brakes a body that drifts
+    along with a river. The right function is `stokes_drag`.
     """
-    size = np.asarray(shape_factor, dtype=float) * np.asarray(
-        viscosity, dtype=float
-    )
-    return np.asarray(-size[..., None] * np.asarray(velocity, dtype=float))
+    return -(shape_factor * viscosity)[..., None] * velocity
 
 
+@domain
 def terminal_speed(
-    mass: ArrayLike,
-    gravity: ArrayLike,
-    radius: ArrayLike,
-    viscosity: ArrayLike,
+    mass: Number, gravity: Number, radius: Number, viscosity: Number
 ) -> Array:
     """Slide 26: m g = 6πr n v, solved for v, (...), m/s.
 
-    Without buoyancy a bubble sinks, and a ball of the fluid itself sinks in that fluid.
-    The right function is `terminal_velocity`.
+    Without buoyancy a bubble sinks, and a ball of the fluid itself sinks in
+    that fluid. The right function is `terminal_velocity`.
     """
-    weight = np.asarray(mass, dtype=float) * np.asarray(gravity, dtype=float)
-    return np.asarray(
-        weight
-        / (
-            6
-            * np.pi
-            * np.asarray(radius, dtype=float)
-            * np.asarray(viscosity, dtype=float)
-        )
-    )
+    return mass * gravity / (6 * np.pi * radius * viscosity)
 
 
+@domain
 def spring_force(
-    displacement: ArrayLike,
-    rest: ArrayLike,
-    stiffness: ArrayLike,
+    displacement: Number, rest: Number, stiffness: Number
 ) -> Array:
     """Slide 27: F = k (x − x_rest), (...), N.
 
-    Taken as the force on the mass, it pushes the mass away from rest. The right
-    function is `spring_force` of `solutions.forces`.
+    Taken as the force on the mass, it pushes the mass away from rest. The
+    right function is `spring_force` of `solutions.forces`.
     """
-    stretch = np.asarray(displacement, dtype=float) - np.asarray(
-        rest, dtype=float
-    )
-    return np.asarray(np.asarray(stiffness, dtype=float) * stretch)
+    return stiffness * (displacement - rest)
 
 
+@domain
 def spring_damper_force(
-    displacement: ArrayLike,
-    rest: ArrayLike,
-    stiffness: ArrayLike,
-    velocity: ArrayLike,
-    damping: ArrayLike,
+    displacement: Number,
+    rest: Number,
+    stiffness: Number,
+    velocity: Number,
+    damping: Number,
 ) -> Array:
-    """Slide 29: F = (x' − x_rest) k − v k_d, (...), N, with x' the current position.
+    """Slide 29: F = (x' − x_rest) k − v k_d, (...), N.
 
-    The motion grows as e^(λt) with λ = −c/(2m) + √((c/2m)² + k/m) > 0, and no damping
-    calms it. The term −v k_d also brakes a spring that flies as a whole. The right
-    function is `spring_damper_force` of `solutions.forces`.
+    The slide's x' is the current position. The motion grows as e^(λt) with
+
+        λ = −c/(2m) + √((c/2m)² + k/m) > 0
+
+    and no damping calms it. The term −v k_d also brakes a spring that flies as
+    a whole. The right function is `spring_damper_force` of
+    `solutions.forces`.
     """
-    damped = np.asarray(damping, dtype=float) * np.asarray(
-        velocity, dtype=float
-    )
-    return np.asarray(spring_force(displacement, rest, stiffness) - damped)
+    return (displacement - rest) * stiffness - velocity * damping
 
 
 # Polyhedra
 
 
+@domain
 def inside_polyhedron(
-    point: ArrayLike,
-    vertices: ArrayLike,
-    faces: ArrayLike,
-) -> NDArray[np.bool_]:
-    """Slide 9: inside means behind the planes of all faces; returns bools (...).
+    point: Triple, vertices: Triple, faces: ArrayLike
+) -> Booleans:
+    """Slide 9: inside means behind the planes of all faces.
 
-    The slide says this of any polyhedron. A concave solid is not the intersection of
-    the half-spaces behind its faces: a point in one arm of an L is in front of the wall
-    of the other arm. The right functions are `inside_by_parity` and
-    `inside_by_winding`, and for convex solids `inside_convex`.
+    Takes points (..., 3), and returns bools (...).
+
+    The slide says this of any polyhedron. A concave solid is not the
+    intersection of the half-spaces behind its faces: a point in one arm of an
+    L is in front of the wall of the other arm. The right functions are
+    `inside_by_parity` and `inside_by_winding`, and for convex solids
+    `inside_convex`.
     """
-    p = np.asarray(point, dtype=float)[..., None, :]
-    a, b, c = np.moveaxis(
-        np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0
-    )
-    return np.asarray(
-        np.all(np.sum(np.cross(b - a, c - a) * (p - a), axis=-1) < 0, axis=-1)
-    )
+    p = point[..., None, :]
+    a, b, c = np.moveaxis(vertices[np.asarray(faces)], 1, 0)
+    normal = np.cross(b - a, c - a)
+    return np.all(np.sum(normal * (p - a), axis=-1) < 0, axis=-1)
 
 
+@domain
 def inside_by_touched_faces(
-    point: ArrayLike,
-    vertices: ArrayLike,
-    faces: ArrayLike,
-) -> NDArray[np.bool_]:
-    """Slide 9: inside when a ray up meets an odd number of faces, borders included.
+    point: Triple, vertices: Triple, faces: ArrayLike
+) -> Booleans:
+    """Slide 9: inside when a ray up meets an odd number of faces.
 
-    Returns bools (...). The test is mostly written down in this way. A ray through an
-    edge meets two faces where it crosses the surface once, and a ray through a vertex
-    meets all the faces that share the vertex. The right function is `inside_by_parity`.
+    Takes points (..., 3), and returns bools (...). The borders of the faces
+    are included.
+
+    The test is mostly written down in this way. A ray through an edge meets
+    two faces where it crosses the surface once, and a ray through a vertex
+    meets all the faces that share the vertex. The right function is
+    `inside_by_parity`.
     """
-    p = np.asarray(point, dtype=float)[..., None, :]
-    a, b, c = np.moveaxis(
-        np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0
-    )
-    n = np.cross(b - a, c - a)
-    looks_up = np.sign(n[:, 2])
+    p = point[..., None, :]
+    a, b, c = np.moveaxis(vertices[np.asarray(faces)], 1, 0)
+    normal = np.cross(b - a, c - a)
+    looks_up = np.sign(normal[:, 2])
     sides = [
         np.cross(end - start, p - start)[..., 2] * looks_up
         for start, end in ((a, b), (b, c), (c, a))
     ]
-    above = np.sum(n * (p - a), axis=-1) * looks_up < 0
-    return np.asarray(
-        np.sum(np.all(np.stack(sides) >= 0, axis=0) & above, axis=-1) % 2 == 1
-    )
+    above = np.sum(normal * (p - a), axis=-1) * looks_up < 0
+    met = np.all(np.stack(sides) >= 0, axis=0) & above
+    return np.sum(met, axis=-1) % 2 == 1

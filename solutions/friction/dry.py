@@ -1,59 +1,57 @@
-"""Dry friction on a plane: what is held, what slides and where it stops (slide 24)."""
+"""Dry friction: what is held, what slides and where it stops (slide 24)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, vector
+from solutions.arrays import Array, Booleans
+from solutions.domain import (
+    FiniteNotNegative,
+    Positive,
+    Triple,
+    Vector,
+    domain,
+    require,
+)
+from solutions.vectors import direction, quotient
 
 
+@domain
 def holds(
-    push: ArrayLike,
-    normal_force: ArrayLike,
-    static_friction: ArrayLike,
-) -> NDArray[np.bool_]:
-    """Whether static friction can hold a body at rest: ‖push‖ ≤ μ_s N (slide 24).
+    push: Vector,
+    normal_force: FiniteNotNegative,
+    static_friction: FiniteNotNegative,
+) -> Booleans:
+    """Whether static friction can hold a body at rest (slide 24).
 
     Parameters
     ----------
     push : (..., 3), sum of the other forces along the surface, N
-    normal_force : (...), N, not negative
-    static_friction : (...), μ_s
+    normal_force : (...), N, in newtons, not negative
+    static_friction : (...), μ_s, not negative
 
     Returns
     -------
     (...), bool
 
-    Raises
-    ------
-    ValueError
-        If N or μ_s is negative, something is not finite, or push does not have three
-        components.
-
     Notes
     -----
-    The slide's F_s = μ_s F_N is only the largest value that static friction can take. A
-    body at rest needs the friction −push, and it stays at rest while that is not above
-    this value.
+    The slide's F_s = μ_s F_N is only the largest value that static friction
+    can take. A body at rest needs the friction −push, and it stays at rest
+    while
+
+        ‖push‖ ≤ μ_s N
     """
-    static = finite(
-        "static_friction", not_negative("static_friction", static_friction)
-    )
-    limit = static * finite(
-        "normal_force", not_negative("normal_force", normal_force)
-    )
-    size = np.linalg.norm(finite("push", vector("push", push)), axis=-1)
-    return np.asarray(size <= limit)
+    return np.linalg.norm(push, axis=-1) <= static_friction * normal_force
 
 
+@domain
 def friction_force(
-    push: ArrayLike,
-    tangent_velocity: ArrayLike,
-    normal_force: ArrayLike,
-    static_friction: ArrayLike,
-    kinetic_friction: ArrayLike,
+    push: Vector,
+    tangent_velocity: Vector,
+    normal_force: FiniteNotNegative,
+    static_friction: FiniteNotNegative,
+    kinetic_friction: FiniteNotNegative,
 ) -> Array:
     """Friction on a body that slides, is held at rest, or starts to slide.
 
@@ -61,8 +59,8 @@ def friction_force(
     ----------
     push : (..., 3), sum of the other forces along the surface, N
     tangent_velocity : (..., 3), along the surface and relative to it, m/s
-    normal_force : (...), N, not negative
-    static_friction, kinetic_friction : (...), μ_s and μ_k, μ_s ≥ μ_k
+    normal_force : (...), N, in newtons, not negative
+    static_friction, kinetic_friction : (...), μ_s ≥ μ_k ≥ 0
 
     Returns
     -------
@@ -75,42 +73,27 @@ def friction_force(
     Raises
     ------
     ValueError
-        If N or μ_k is negative, μ_s is less than μ_k, something is not finite,
-        or a vector does not have three components.
+        If μ_k is above μ_s.
     """
-    held = holds(push, normal_force, static_friction)[..., None]
-    push, velocity = (
-        vector("push", push),
-        finite(
-            "tangent_velocity", vector("tangent_velocity", tangent_velocity)
-        ),
-    )
-    mu = not_negative("kinetic_friction", kinetic_friction)
-    not_negative(
-        "static_friction less kinetic_friction",
-        np.asarray(static_friction) - mu,
-    )
-    speed = np.linalg.norm(velocity, axis=-1)[..., None]
-    size = np.linalg.norm(push, axis=-1)[..., None]
-    along_velocity = velocity / np.where(speed > 0, speed, 1.0)
-    along_push = push / np.where(size > 0, size, 1.0)
-    kinetic = (mu * np.asarray(normal_force))[..., None]
-    return np.where(
-        speed > 0,
-        -kinetic * along_velocity,
-        np.where(held, -push, -kinetic * along_push),
-    )
+    rule = "static_friction must not be less than kinetic_friction"
+    require(static_friction >= kinetic_friction, rule)
+    slides = np.linalg.norm(tangent_velocity, axis=-1) > 0
+    held = ~slides & holds(push, normal_force, static_friction)
+    way = np.where(slides[..., None], tangent_velocity, push)
+    kinetic = (kinetic_friction * normal_force)[..., None] * direction(way)
+    return np.where(held[..., None], -push, -kinetic)
 
 
+@domain
 def sliding_motion(
-    position: ArrayLike,
-    tangent_velocity: ArrayLike,
-    push: ArrayLike,
-    normal_force: ArrayLike,
-    static_friction: ArrayLike,
-    kinetic_friction: ArrayLike,
-    mass: ArrayLike,
-    dt: ArrayLike,
+    position: Triple,
+    tangent_velocity: Vector,
+    push: Vector,
+    normal_force: FiniteNotNegative,
+    static_friction: FiniteNotNegative,
+    kinetic_friction: FiniteNotNegative,
+    mass: Positive,
+    dt: FiniteNotNegative,
 ) -> tuple[Array, Array, Array]:
     """Motion over dt of a body that slides in a straight line or rests.
 
@@ -121,10 +104,10 @@ def sliding_motion(
     position, tangent_velocity, push : (..., 3), m, m/s, N
         The push acts along the velocity or against it, or there is no
         velocity.
-    normal_force : (...), N, not negative
-    static_friction, kinetic_friction : (...), μ_s ≥ μ_k
-    mass : (...), kg
-    dt : (...), s
+    normal_force : (...), N, in newtons, not negative
+    static_friction, kinetic_friction : (...), μ_s ≥ μ_k ≥ 0
+    mass : (...), m, kg, positive
+    dt : (...), Δt, s, not negative
 
     Returns
     -------
@@ -136,50 +119,36 @@ def sliding_motion(
     Raises
     ------
     ValueError
-        As friction_force, or if a mass is not positive, or dt is negative or
-        not finite.
+        If μ_k is above μ_s.
 
     Notes
     -----
-    While the body slides, its acceleration a is constant. Where a
-    is opposed to the velocity v, the body stops at t = v/a, and friction does
-    not turn it round. From there static friction holds the body, or it
-    continues to slide along the push.
+    While the body slides, its acceleration a is constant. Where a is opposed
+    to the velocity v, the body stops at
+
+        t = ‖v‖/‖a‖ = v·v/(−v·a)
+
+    and friction does not turn it round. From there static friction holds the
+    body, or it continues to slide along the push.
     """
-    p, v, f = (
-        vector("position", position),
-        vector("tangent_velocity", tangent_velocity),
-        vector("push", push),
-    )
-    m, dt = (
-        positive("mass", mass)[..., None],
-        finite("dt", not_negative("dt", dt)),
-    )
 
     def acceleration(velocity: Array) -> Array:
-        return np.asarray(
-            (
-                f
-                + friction_force(
-                    f,
-                    velocity,
-                    normal_force,
-                    static_friction,
-                    kinetic_friction,
-                )
-            )
-            / m
+        force = push + friction_force(
+            push, velocity, normal_force, static_friction, kinetic_friction
         )
+        return force / mass[..., None]
 
+    v = tangent_velocity
     a = acceleration(v)
-    speed_squared, closing = np.vecdot(v, v), -np.vecdot(v, a)
-    stops = (speed_squared > 0) & (speed_squared <= closing * dt)
-    stopping_time = np.where(
-        stops, speed_squared / np.where(stops, closing, 1.0), np.inf
-    )
-    first = np.minimum(stopping_time, dt)[..., None]
-    p = p + v * first + a * first * first / 2
-    v = np.where(stops[..., None], 0.0, v + a * first)
-    rest = dt[..., None] - first
-    after = np.where(stops[..., None], acceleration(v), 0.0)
-    return p + after * rest * rest / 2, v + after * rest, stopping_time
+    speed_squared = np.vecdot(v, v)
+    braking = -np.vecdot(v, a)
+    stops = (speed_squared > 0) & (speed_squared <= braking * dt)
+    braking = np.where(stops, braking, 0.0)
+    stopping_time = quotient(speed_squared, braking, np.inf)
+    sliding = np.minimum(stopping_time, dt)[..., None]
+    p = position + v * sliding + a * sliding * sliding / 2
+    v = np.where(stops[..., None], 0.0, v + a * sliding)
+    remaining = dt[..., None] - sliding
+    a = np.where(stops[..., None], acceleration(v), 0.0)
+    p = p + a * remaining * remaining / 2
+    return p, v + a * remaining, stopping_time

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    in_unit_interval,
-    matrix,
-    not_negative,
-    positive,
-    unit,
-    vector,
+from solutions.checks import matrix
+from solutions.domain import (
+    FiniteNotNegative,
+    FinitePositive,
+    Matrix,
+    Share,
+    Triple,
+    Unit,
+    Vector,
+    domain,
+    require,
 )
-from solutions.friction.support import less_normal_part
+from solutions.vectors import part_across, quotient
 
 SINGULAR = 1e-12
 """Share of the product of its rows' lengths below which det K counts as zero.
@@ -24,10 +28,11 @@ A smaller determinant would leave an impulse few digits.
 """
 
 
+@domain
 def point_inverse_mass(
-    inverse_mass: ArrayLike,
-    inverse_inertia: ArrayLike,
-    arm: ArrayLike,
+    inverse_mass: FiniteNotNegative,
+    inverse_inertia: Matrix,
+    arm: Vector,
 ) -> Array:
     """Matrix K that turns an impulse at a point into its change of velocity.
 
@@ -35,69 +40,44 @@ def point_inverse_mass(
 
     Parameters
     ----------
-    inverse_mass : (...), 1/m, 1/kg
+    inverse_mass : (...), 1/m, 1/kg, not negative
     inverse_inertia : (..., 3, 3), I⁻¹ in the world frame, 1/(kg m²)
     arm : (..., 3), r, from the centre of mass to the point, m
 
     Returns
     -------
-    (..., 3, 3), 1/kg
+    (..., 3, 3), K, 1/kg
         0 for an immovable body.
-
-    Raises
-    ------
-    ValueError
-        If 1/m is negative, something is not finite, or shapes do not fit.
 
     Notes
     -----
     An impulse J changes v by J/m and ω by I⁻¹(r × J). The velocity v + ω × r
-    of the point therefore changes by J/m + (I⁻¹(r × J)) × r. Write r × as the
-    matrix [r×]; the last product is −[r×] I⁻¹ [r×] J, and the whole change is
-    K J with
+    of the point therefore changes by
+
+        J/m + (I⁻¹(r × J)) × r
+
+    Write r × as the matrix [r×], whose transpose is −[r×]. The last product is
+    −[r×] I⁻¹ [r×] J, and the whole change is K J with
 
         K = 1/m − [r×] I⁻¹ [r×]
+          = 1/m + [r×] I⁻¹ [r×]ᵀ
 
     Along the normal alone, n·K n is `inverse_effective_mass`, which the
     lecture derives term by term. The two functions are independent so that
     they can be compared.
     """
-    # This is [r×]ᵀ = −[r×].
-    across = np.cross(
-        finite("arm", vector("arm", arm))[..., None, :], np.eye(3)
-    )
-    shares = finite(
-        "inverse_mass", not_negative("inverse_mass", inverse_mass)
-    )[..., None, None] * np.eye(3)
-    return np.asarray(
-        shares
-        + np.swapaxes(across, -1, -2)
-        @ matrix("inverse_inertia", inverse_inertia)
-        @ across
-    )
+    transposed = np.cross(arm[..., None, :], np.eye(3))  # [r×]ᵀ
+    turning = np.swapaxes(transposed, -1, -2) @ inverse_inertia @ transposed
+    return inverse_mass[..., None, None] * np.eye(3) + turning
 
 
-def positive_definite(inverse_mass: Array) -> Array:
-    """Return matrices K; refuse one with which no impulse stops the bodies."""
-    singular = np.linalg.det(inverse_mass) <= SINGULAR * np.linalg.norm(
-        inverse_mass, axis=-1
-    ).prod(axis=-1)
-    if np.any(singular) or np.any(
-        np.diagonal(inverse_mass, axis1=-2, axis2=-1) <= 0
-    ):
-        raise ValueError(
-            "inverse_mass must be positive definite: no impulse stops two"
-            " immovable bodies"
-        )
-    return inverse_mass
-
-
+@domain
 def friction_impulse(
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    inverse_mass: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
+    velocity: Vector,
+    normal: Unit,
+    inverse_mass: InverseMass,
+    restitution: Share,
+    friction: FiniteNotNegative,
 ) -> Array:
     """Impulse on body A at a contact with friction; −J acts on body B.
 
@@ -106,36 +86,46 @@ def friction_impulse(
 
     Parameters
     ----------
-    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact,
-    m/s
-    normal : (..., 3), unit, from B to A
+    velocity : (..., 3), u = ṗ_A − ṗ_B, m/s
+        Of the two points before the impact.
+    normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
-    (..., 3), N s
+    (..., 3), J, N s
         Zero where the bodies do not approach.
 
     Raises
     ------
     ValueError
-        If e is not from 0 to 1, μ is negative, a normal does not have length
-        1, something is not finite, or K cannot be inverted: the K of two
-        immovable bodies, or of one that only turns about a pivot and one that
-        is immovable.
+        If K cannot be inverted: the K of two immovable bodies, or of one that
+        only turns about a pivot and one that is immovable.
 
     Notes
     -----
+    Let u_n = u·n be the velocity along the normal, below zero while the points
+    approach.
+
     1. Grip: try the impulse that stops the slip and reverses the approach as
-       Newton's rule says. The velocity after it is −e u_n n, so that K J = −u
-       − e u_n n.
-    2. If this impulse lies within the cone ‖J_t‖ ≤ μ J·n, it is the answer.
-    3. Slip: otherwise J = j (n + μ d), where d is the direction of the grip's
-       J_t. Newton's rule along the normal gives j: j n·K(n + μ d) = −(1 + e)
-       u_n. There is always an answer, because the grip's J has one, and so has
-       n alone.
+       Newton's rule says. The velocity after it is −e u_n n, so that
+
+           K J = −u − e u_n n
+
+    2. If this impulse lies within the cone of friction, it is the answer:
+
+           ‖J_t‖ ≤ μ J·n
+
+    3. Slip: otherwise the impulse lies on the cone, in the direction d of the
+       grip's J_t, and Newton's rule along the normal gives its size j:
+
+           J = j (n + μ d)
+           j n·K(n + μ d) = −(1 + e) u_n
+
+       There is always an answer, because the grip's J has one, and so has n
+       alone.
 
     For a sphere, d is opposed to the slip. In the plane, d is always opposed
     to the slip that is left. In space, with a K that couples the directions,
@@ -152,57 +142,39 @@ def friction_impulse(
     `poisson_impulse` and `stronge_impulse` give up the first: none of the
     three adds energy.
     """
-    u, n = (
-        finite("velocity", vector("velocity", velocity)),
-        unit("normal", vector("normal", normal)),
-    )
-    e, mu = (
-        in_unit_interval("restitution", restitution),
-        finite("friction", not_negative("friction", friction)),
-    )
-    k = positive_definite(matrix("inverse_mass", inverse_mass))
-    approach = np.vecdot(u, n)
-    grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[
-        ..., 0
-    ]
-    across = less_normal_part(grip, n)
-    sticks = np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n)
-    size = np.linalg.norm(across, axis=-1, keepdims=True)
-    edge = n + mu[..., None] * across / np.where(size > 0, size, 1.0)
-    gained = np.vecdot(
-        n, np.matvec(k, edge)
-    )  # above zero wherever the contact slips
-    slip = (-(1 + e) * approach / np.where(gained > 0, gained, 1.0))[
-        ..., None
-    ] * edge
-    return np.where(
-        (approach < 0)[..., None],
-        np.where(sticks[..., None], grip, slip),
-        0.0,
-    )
+    n, e = normal, restitution
+    approach = np.vecdot(velocity, n)
+    change = -velocity - (e * approach)[..., None] * n
+    grip = np.linalg.solve(inverse_mass, change[..., None])[..., 0]
+    tangent = part_across(grip, n)
+    size = np.linalg.norm(tangent, axis=-1)
+    sticks = size <= friction * np.vecdot(grip, n)
+    edge = n + quotient(friction[..., None] * tangent, size[..., None])
+    gained = np.vecdot(n, np.matvec(inverse_mass, edge))
+    j = quotient(-(1 + e) * approach, gained)  # gained > 0 where it slips
+    impulse = np.where(sticks[..., None], grip, j[..., None] * edge)
+    return np.where((approach < 0)[..., None], impulse, 0.0)
 
 
+@domain
 def impact_energy(
-    velocity: ArrayLike,
-    impulse: ArrayLike,
-    inverse_mass: ArrayLike,
+    velocity: Triple,
+    impulse: Triple,
+    inverse_mass: Matrix,
 ) -> Array:
-    """Energy that an impulse adds to two bodies; never above zero in an honest impact.
+    """Energy that an impulse adds to two bodies.
+
+    It is never above zero in an honest impact.
 
     Parameters
     ----------
-    velocity : (..., 3), u before the impact, m/s
+    velocity : (..., 3), u, of the two points before the impact, m/s
     impulse : (..., 3), J, N s
     inverse_mass : (..., 3, 3), K, 1/kg
 
     Returns
     -------
     (...), J
-
-    Raises
-    ------
-    ValueError
-        If the shapes do not fit or K is not finite.
 
     Notes
     -----
@@ -211,59 +183,61 @@ def impact_energy(
 
         J·(u + K J/2)
     """
-    j, k = vector("impulse", impulse), matrix("inverse_mass", inverse_mass)
-    return np.asarray(
-        np.vecdot(j, vector("velocity", velocity) + np.matvec(k, j) / 2)
-    )
+    mean_velocity = velocity + np.matvec(inverse_mass, impulse) / 2
+    return np.vecdot(impulse, mean_velocity)
 
 
+@domain
 def sphere_impact(
-    velocity: ArrayLike,
-    angular_velocity: ArrayLike,
-    normal: ArrayLike,
-    radius: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
-    inertia_share: ArrayLike = 0.4,
+    velocity: Vector,
+    angular_velocity: Vector,
+    normal: Unit,
+    radius: FinitePositive,
+    restitution: Share,
+    friction: FiniteNotNegative,
+    inertia_share: FinitePositive = 0.4,
 ) -> tuple[Array, Array]:
-    """Velocities of a sphere after it has struck an immovable plane with friction.
+    """Velocities of a sphere after it has struck a plane with friction.
 
-    Friction turns spin into motion along the plane and back.
+    The plane is immovable. Friction turns spin into motion along the plane and
+    back.
 
     Parameters
     ----------
-    velocity, angular_velocity : (..., 3), m/s and rad/s
-    normal : (..., 3), unit, out of the plane
-    radius : (...), R, m
-    restitution, friction : (...), e, 0 to 1, and μ
-    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow
-    one
+    velocity, angular_velocity : (..., 3), v and ω, m/s and rad/s
+    normal : (..., 3), n, unit, out of the plane
+    radius : (...), R, m, positive
+    restitution, friction : (...), e, 0 to 1, and μ, not negative
+    inertia_share : (...), I/(m R²), positive
+        2/5 for a solid sphere, 2/3 for a hollow one.
 
     Returns
     -------
     velocity, angular_velocity : (..., 3), m/s and rad/s
-
-    Raises
-    ------
-    ValueError
-        As friction_impulse, or if the radius or the inertia is not positive
-        and finite.
 
     Notes
     -----
     The arm from the centre to the contact is r = −R n. The impulse and the
     inertia are both proportional to the mass, so that the mass drops out.
     """
-    v, spin, n = (
-        vector("velocity", velocity),
-        vector("angular_velocity", angular_velocity),
-        vector("normal", normal),
-    )
-    r = finite("radius", positive("radius", radius))[..., None]
-    share = finite("inertia_share", positive("inertia_share", inertia_share))[
-        ..., None
-    ]
-    arm, inertia = -r * n, share * r**2
+    arm = -radius[..., None] * normal
+    inertia = (inertia_share * radius**2)[..., None]
     k = point_inverse_mass(1.0, np.eye(3) / inertia[..., None], arm)
-    j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)
-    return v + j, spin + np.cross(arm, j) / inertia
+    u = velocity + np.cross(angular_velocity, arm)
+    impulse = friction_impulse(u, normal, k, restitution, friction)
+    spin = angular_velocity + np.cross(arm, impulse) / inertia
+    return velocity + impulse, spin
+
+
+def positive_definite(name: str, value: Array) -> Array:
+    """Return matrices K; refuse one with which no impulse stops the bodies."""
+    lengths = np.linalg.norm(value, axis=-1).prod(axis=-1)
+    singular = np.linalg.det(value) <= SINGULAR * lengths
+    pulls = np.any(np.diagonal(value, axis1=-2, axis2=-1) <= 0, axis=-1)
+    rule = "must be positive definite: no impulse stops two immovable bodies"
+    require(~(singular | pulls), f"{name} {rule}")
+    return value
+
+
+InverseMass = Annotated[Array, matrix, positive_definite]
+"""K, (..., 3, 3), positive definite, so that an impulse can be solved for."""

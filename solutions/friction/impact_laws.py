@@ -1,4 +1,4 @@
-"""Three laws of an impact with friction, none of which adds energy (slides 12 and 16).
+"""Three laws of an impact with friction that add no energy (slides 12, 16).
 
 `friction_impulse` reverses the normal velocity by Newton's rule and lets
 friction oppose the slip that is left. That may add energy. Each law here gives
@@ -7,35 +7,34 @@ up one of the two.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    in_unit_interval,
-    matrix,
-    not_negative,
-    unit,
-    vector,
+from solutions.domain import (
+    FiniteNotNegative,
+    Share,
+    Unit,
+    Vector,
+    domain,
+    require,
 )
-from solutions.friction.impact import positive_definite
-from solutions.friction.impact_course import Course, follow
+from solutions.friction.impact import InverseMass
+from solutions.friction.impact_course import NORMAL, Course, follow
+from solutions.vectors import quotient
 
 AGAIN = 1e-9
-"""A speed of approach at the end below this share of the speed before is rounding."""
+"""A speed of approach at the end is rounding below this share of the first."""
 BETWEEN, SEARCHES = np.arange(1, 16) / 16, 15
 """Where a search looks between two directions, and how often; 16¹⁵ is 2⁶⁰."""
 
 
+@domain
 def dissipative_impulse(
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    inverse_mass: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
+    velocity: Vector,
+    normal: Unit,
+    inverse_mass: InverseMass,
+    restitution: Share,
+    friction: FiniteNotNegative,
 ) -> Array:
     """Impulse that takes the most energy and rebounds as Newton's rule says.
 
@@ -46,22 +45,22 @@ def dissipative_impulse(
 
     Parameters
     ----------
-    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact,
-    m/s
-    normal : (..., 3), unit, from B to A
+    velocity : (..., 3), u = ṗ_A − ṗ_B, m/s
+        Of the two points before the impact.
+    normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
-    (..., 3), N s
+    (..., 3), J, N s
         The impulse on A; zero where the bodies do not approach.
 
     Raises
     ------
     ValueError
-        As friction_impulse.
+        If K is not positive definite, as in friction_impulse.
 
     Notes
     -----
@@ -69,19 +68,27 @@ def dissipative_impulse(
     the impulse changes the energy by u⁺·dJ. Newton's rule holds n·u⁺ fixed at
     −e u_n, so that every change of J_t changes J_n as well:
 
-        J_n = c − a·J_t,  with c = −(1 + e) u_n/K_nn and a = K_nt/K_nn
+        J_n = c − a·J_t
+        c = −(1 + e) u_n/K_nn
+        a = K_nt/K_nn
 
     1. Along these changes the slope of the energy is u_t⁺ − a u_n⁺. The energy
-       is least where the slope is zero. If that impulse lies in the cone, it
-       is the answer.
+       is least where the slope is zero:
+
+           (K_tt − a K_nt) J_t = a u_n − u_t
+
+       If that impulse lies in the cone, ‖J_t‖ ≤ μ J_n, it is the answer.
     2. Otherwise the answer lies on the edge of the cone. Look from the impulse
        without friction in the direction d, along the surface. The edge is R d
-       away, where R = μ (c − R a·d), which is R = μ c/(1 + μ a·d); there is no
-       edge that way if the denominator is not positive. Let m be the least
-       energy along this ray. The energy is convex and the cone is convex, so
-       that m falls and then rises as d turns through the directions that lead
-       downhill. Halving the angle between a direction where m falls and one
-       where m rises finds the least.
+       away, where
+
+           R = μ (c − R a·d) = μ c/(1 + μ a·d)
+
+       There is no edge that way if the denominator is not positive. Let m be
+       the least energy along this ray. The energy is convex and the cone is
+       convex, so that m falls and then rises as d turns through the directions
+       that lead downhill. Dividing the angle between a direction where m falls
+       and one where m rises, again and again, finds the least.
 
     With e > 0 and a K that couples the directions, a full grip does not take
     the most energy. The first step ends with u_t⁺ = a u_n⁺, a slip that the
@@ -90,46 +97,59 @@ def dissipative_impulse(
     not couple the normal with the surface, as for a sphere, a = 0 and this is
     `friction_impulse`.
     """
-    return _where_approaching(
-        _most_dissipation,
-        velocity,
-        normal,
-        inverse_mass,
-        restitution,
-        friction,
+    contacts = _Approaching(
+        velocity, normal, inverse_mass, restitution, friction
     )
+    u, k, mu = contacts.u, contacts.k, contacts.mu
+    c = -(1 + contacts.e) * u[:, 2] / k[:, 2, 2]
+    a = k[:, :2, 2] / k[:, 2, 2, None]
+    downhill = a * u[:, 2, None] - u[:, :2]
+    curvature = k[:, :2, :2] - a[:, :, None] * k[:, 2, None, :2]
+    tangent = np.linalg.solve(curvature, downhill[..., None])[..., 0]
+    largest = mu * (c - np.vecdot(a, tangent))
+    outside = np.linalg.norm(tangent, axis=-1) > largest
+    tangent[outside] = _least_energy_on_the_edge(
+        (mu * c)[outside],
+        (mu[:, None] * a)[outside],
+        downhill[outside],
+        curvature[outside],
+    )
+    along_normal = c - np.vecdot(a, tangent)
+    impulse = np.concatenate([tangent, along_normal[:, None]], axis=-1)
+    return contacts.in_space(impulse)
 
 
+@domain
 def poisson_impulse(
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    inverse_mass: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
+    velocity: Vector,
+    normal: Unit,
+    inverse_mass: InverseMass,
+    restitution: Share,
+    friction: FiniteNotNegative,
 ) -> Array:
-    """Impulse of an impact that is followed through, with Poisson's restitution.
+    """Impulse of an impact followed through, with Poisson's restitution.
 
     Until the approach ends the normal impulse grows to p_c. While the bodies
     part it grows by e p_c more. Friction opposes the slip of each moment.
 
     Parameters
     ----------
-    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact,
-    m/s
-    normal : (..., 3), unit, from B to A
+    velocity : (..., 3), u = ṗ_A − ṗ_B, m/s
+        Of the two points before the impact.
+    normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1, the ratio of the two normal impulses
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
-    (..., 3), N s
+    (..., 3), J, N s
         The impulse on A; zero where the bodies do not approach.
 
     Raises
     ------
     ValueError
-        As friction_impulse.
+        If K is not positive definite, as in friction_impulse.
 
     Notes
     -----
@@ -137,22 +157,34 @@ def poisson_impulse(
     With e = 0 it gives the impulse of the approach alone.
 
     Rarely the bodies approach again at the end: friction has turned the slip
-    into a direction in which it pulls them together. Then the impact goes on,
-    and this second approach is answered like the first.
+    into a direction in which it pulls them together. Then the impact
+    continues, and this second approach is resolved like the first.
     """
-    return _where_approaching(
-        _routh_poisson, velocity, normal, inverse_mass, restitution, friction
+    contacts = _Approaching(
+        velocity, normal, inverse_mass, restitution, friction
     )
+    u, k, e, mu = contacts.u, contacts.k, contacts.e, contacts.mu
+    course = Course(u, k, mu)
+    follow(course, "speed", np.zeros(len(u)))
+    follow(course, "impulse", (1 + e) * course.impulse[:, 2])
+    after = course.velocity(np.arange(len(u)), course.impulse)
+    again = after[:, 2] < -AGAIN * np.linalg.norm(u, axis=-1)
+    if np.any(again):
+        course.impulse[again] += poisson_impulse(
+            after[again], NORMAL, k[again], e[again], mu[again]
+        )
+    return contacts.in_space(course.impulse)
 
 
+@domain
 def stronge_impulse(
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    inverse_mass: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
+    velocity: Vector,
+    normal: Unit,
+    inverse_mass: InverseMass,
+    restitution: Share,
+    friction: FiniteNotNegative,
 ) -> Array:
-    """Impulse of an impact that is followed through, with Stronge's restitution.
+    """Impulse of an impact followed through, with Stronge's restitution.
 
     Until the approach ends the normal force takes the work W_c. While the
     bodies part it gives back e² W_c. Friction opposes the slip of each moment.
@@ -160,22 +192,22 @@ def stronge_impulse(
 
     Parameters
     ----------
-    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact,
-    m/s
-    normal : (..., 3), unit, from B to A
+    velocity : (..., 3), u = ṗ_A − ṗ_B, m/s
+        Of the two points before the impact.
+    normal : (..., 3), n, unit, from B to A
     inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
     restitution : (...), e, 0 to 1, the root of the ratio of the two works
-    friction : (...), μ
+    friction : (...), μ, not negative
 
     Returns
     -------
-    (..., 3), N s
+    (..., 3), J, N s
         The impulse on A; zero where the bodies do not approach.
 
     Raises
     ------
     ValueError
-        As friction_impulse.
+        If K is not positive definite, as in friction_impulse.
 
     Notes
     -----
@@ -188,76 +220,61 @@ def stronge_impulse(
     Rounding adds energy where K is badly conditioned: 10⁻⁹ of the contact's at
     a condition of 10⁶, and 10⁻⁵ at 10⁹. So it does in `poisson_impulse`.
     """
-
-    def routh(u: Array, k: Array, e: Array, mu: Array) -> Array:
-        course = Course(u, k, mu)
-        follow(course, "speed", np.zeros(len(u)))
-        follow(course, "work", (1 - e**2) * course.work)
-        return course.impulse
-
-    return _where_approaching(
-        routh, velocity, normal, inverse_mass, restitution, friction
+    contacts = _Approaching(
+        velocity, normal, inverse_mass, restitution, friction
     )
+    course = Course(contacts.u, contacts.k, contacts.mu)
+    follow(course, "speed", np.zeros(len(contacts.u)))
+    follow(course, "work", (1 - contacts.e**2) * course.work)
+    return contacts.in_space(course.impulse)
 
 
-def _routh_poisson(u: Array, k: Array, e: Array, mu: Array) -> Array:
-    """Impulse of `poisson_impulse` along the axes of the contact, (n, 3)."""
-    course = Course(u, k, mu)
-    follow(course, "speed", np.zeros(len(u)))
-    follow(course, "impulse", (1 + e) * course.impulse[:, 2])
-    after = course.velocity(np.arange(len(u)), course.impulse)
-    again = after[:, 2] < -AGAIN * np.linalg.norm(u, axis=-1)
-    if np.any(again):
-        course.impulse[again] += _routh_poisson(
-            after[again], k[again], e[again], mu[again]
-        )
-    return course.impulse
+class _Approaching:
+    """The contacts of a batch whose bodies approach, along their own axes.
 
-
-def _where_approaching(
-    law: Callable[[Array, Array, Array, Array], Array],
-    velocity: ArrayLike,
-    normal: ArrayLike,
-    inverse_mass: ArrayLike,
-    restitution: ArrayLike,
-    friction: ArrayLike,
-) -> Array:
-    """Impulses of a law that takes u, K, e and μ of approaching contacts.
-
-    The law sees vectors along the axes of the contact, and returns J along
-    them.
+    u: (n, 3), velocities before the impact, m/s. k: (n, 3, 3), K, 1/kg. e, mu:
+    (n,), e and μ.
     """
-    u, n = (
-        finite("velocity", vector("velocity", velocity)),
-        unit("normal", vector("normal", normal)),
-    )
-    e, mu = (
-        in_unit_interval("restitution", restitution),
-        finite("friction", not_negative("friction", friction)),
-    )
-    k = positive_definite(matrix("inverse_mass", inverse_mass))
-    if np.any(np.linalg.eigvalsh((k + np.swapaxes(k, -1, -2)) / 2) <= 0):
-        raise ValueError(
-            "inverse_mass must be positive definite: an impact with this"
-            " matrix need not end"
+
+    def __init__(
+        self,
+        velocity: Array,
+        normal: Array,
+        inverse_mass: Array,
+        restitution: Array,
+        friction: Array,
+    ) -> None:
+        symmetric = (inverse_mass + np.swapaxes(inverse_mass, -1, -2)) / 2
+        rule = "inverse_mass must be positive definite for an impact to end"
+        require(np.linalg.eigvalsh(symmetric) > 0, rule)
+        self.shape = np.broadcast_shapes(
+            velocity.shape[:-1],
+            normal.shape[:-1],
+            inverse_mass.shape[:-2],
+            restitution.shape,
+            friction.shape,
         )
-    shape = np.broadcast_shapes(
-        u.shape[:-1], n.shape[:-1], k.shape[:-2], e.shape, mu.shape
-    )
-    u, n = (np.broadcast_to(x, (*shape, 3)).reshape(-1, 3) for x in (u, n))
-    k = np.broadcast_to(k, (*shape, 3, 3)).reshape(-1, 3, 3)
-    e, mu = (np.broadcast_to(x, shape).ravel() for x in (e, mu))
-    struck = np.vecdot(u, n) < 0
-    axes = _contact_axes(n[struck])
-    impulse = np.zeros((len(u), 3))
-    along = law(
-        np.matvec(axes, u[struck]),
-        axes @ k[struck] @ np.swapaxes(axes, -1, -2),
-        e[struck],
-        mu[struck],
-    )
-    impulse[struck] = np.vecmat(along, axes)
-    return impulse.reshape(*shape, 3)
+        triples, matrices = (*self.shape, 3), (*self.shape, 3, 3)
+        u = np.broadcast_to(velocity, triples).reshape(-1, 3)
+        n = np.broadcast_to(normal, triples).reshape(-1, 3)
+        k = np.broadcast_to(inverse_mass, matrices).reshape(-1, 3, 3)
+        e = np.broadcast_to(restitution, self.shape).ravel()
+        mu = np.broadcast_to(friction, self.shape).ravel()
+        self.struck = np.vecdot(u, n) < 0
+        self.axes = _contact_axes(n[self.struck])
+        turned = np.swapaxes(self.axes, -1, -2)
+        self.u = np.matvec(self.axes, u[self.struck])
+        self.k = self.axes @ k[self.struck] @ turned
+        self.e, self.mu = e[self.struck], mu[self.struck]
+
+    def in_space(self, impulse: Array) -> Array:
+        """Impulses (n, 3) along the axes as those of the batch, (..., 3), N s.
+
+        Zero where the bodies do not approach.
+        """
+        impulses = np.zeros((len(self.struck), 3))
+        impulses[self.struck] = np.vecmat(impulse, self.axes)
+        return impulses.reshape(*self.shape, 3)
 
 
 def _contact_axes(normal: Array) -> Array:
@@ -268,39 +285,23 @@ def _contact_axes(normal: Array) -> Array:
     return np.stack([np.cross(second, normal), second, normal], axis=-2)
 
 
-def _most_dissipation(u: Array, k: Array, e: Array, mu: Array) -> Array:
-    """Impulse of `dissipative_impulse` along a contact's axes, (n, 3)."""
-    smooth, a = -(1 + e) * u[:, 2] / k[:, 2, 2], k[:, :2, 2] / k[:, 2, 2, None]
-    downhill = a * u[:, 2, None] - u[:, :2]
-    curvature = k[:, :2, :2] - a[:, :, None] * k[:, 2, None, :2]
-    along = np.linalg.solve(curvature, downhill[..., None])[..., 0]
-    outside = np.linalg.norm(along, axis=-1) > mu * (
-        smooth - np.vecdot(a, along)
-    )
-    edge = (
-        x[outside] for x in (mu * smooth, mu[:, None] * a, downhill, curvature)
-    )
-    along[outside] = _least_energy_on_the_edge(*edge)
-    return np.concatenate(
-        [along, (smooth - np.vecdot(a, along))[:, None]], axis=-1
-    )
-
-
 def _least_energy_on_the_edge(
     reach: Array, lean: Array, downhill: Array, curvature: Array
 ) -> Array:
     """J_t of least energy where the cone ends before the energy does, (n, 2).
 
     It lies between two directions. Each search looks at directions between
-    them, and goes on from the last to which the energy still falls.
+    them, and continues from the last to which the energy still falls.
 
-    reach: μ c. lean: μ a, (n, 2). downhill: −slope of the energy without
-    friction.
+    reach: (n,), μ c. lean: (n, 2), μ a. downhill: (n, 2), a u_n − u_t, down
+    which the energy falls from the impulse without friction. curvature:
+    (n, 2, 2), K_tt − a K_nt.
     """
     if not len(reach):
         return downhill
     cone = [x[:, None] for x in (reach, lean, downhill, curvature)]
-    low, width = np.arctan2(downhill[:, 1], downhill[:, 0]) - np.pi / 2, np.pi
+    low = np.arctan2(downhill[:, 1], downhill[:, 0]) - np.pi / 2
+    width = np.pi
     for _ in range(SEARCHES):
         _, falls = _on_the_edge(low[:, None] + width * BETWEEN, *cone)
         passed = np.sum(np.logical_and.accumulate(falls, axis=-1), axis=-1)
@@ -321,9 +322,7 @@ def _on_the_edge(
     turned = np.stack([-d[..., 1], d[..., 0]], axis=-1)
     bottom = np.vecdot(downhill, d) / np.vecdot(d, np.matvec(curvature, d))
     opening = 1 + np.vecdot(lean, d)
-    edge = np.where(
-        opening > 0, reach / np.where(opening > 0, opening, 1.0), np.inf
-    )
+    edge = np.where(opening > 0, quotient(reach, opening), np.inf)
     along = np.minimum(edge, bottom)[..., None] * d
     slope = np.matvec(curvature, along) - downhill
     grows = np.where(edge < bottom, np.vecdot(lean, turned) / opening, 0.0)

@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, vector
+from solutions.domain import (
+    FiniteNotNegative,
+    FinitePositive,
+    Vector,
+    domain,
+    require,
+)
 from solutions.friction.cone import clamp_to_circle
 
 UP = np.array([0.0, 0.0, 1.0])
 
 
+@domain
 def roll_step(
-    velocity: ArrayLike,
-    spin: ArrayLike,
-    radius: ArrayLike,
-    friction: ArrayLike,
-    gravity: ArrayLike,
-    dt: ArrayLike,
+    velocity: Vector,
+    spin: Vector,
+    radius: FinitePositive,
+    friction: FiniteNotNegative,
+    gravity: FiniteNotNegative,
+    dt: FiniteNotNegative,
 ) -> tuple[Array, Array]:
     """Velocity and spin of a solid ball after a step on a level floor.
 
@@ -26,10 +32,10 @@ def roll_step(
     ----------
     velocity : (..., 3), v of the centre, along the floor: v_z = 0, m/s
     spin : (..., 3), ω, rad/s
-    radius : (...), m
-    friction : (...), μ, static and kinetic
-    gravity : (...), g, downwards, m/s²
-    dt : (...), s
+    radius : (...), R, m, positive
+    friction : (...), μ, static and kinetic, not negative
+    gravity : (...), g, downwards, m/s², not negative
+    dt : (...), Δt, s, not negative
 
     Returns
     -------
@@ -41,47 +47,35 @@ def roll_step(
     Raises
     ------
     ValueError
-        If a velocity is not along the floor, a radius is not positive, μ, g or
-        dt is negative, something is not finite, or a vector does not have
-        three components.
+        If a velocity is not along the floor.
 
     Notes
     -----
-    The ball touches the floor at the arm r = −R z from its centre,
-    and slips there with
+    The ball touches the floor at the arm r = −R z from its centre, where z is
+    the unit vector upwards, and slips there with
 
         u = v + ω × r
 
     An impulse J per mass, along the floor, changes v by J, and ω by
-    (r × J)/(2/5 R²), because the inertia of a solid ball is 2/5 m R². So it changes
-    the slip by
+    (r × J)/(2/5 R²), because the inertia of a solid ball is 2/5 m R². So it
+    changes the slip by
 
         J + (r × J) × r/(2/5 R²) = J + 5/2 J = 7/2 J
 
-    The slip stops with J = −2/7 u. In a step friction gives at most μ N dt,
-    which is μ g dt per mass, in any direction. Where that is less than 2/7 of
-    the slip, J is shortened to it.
+    The slip stops with
+
+        J = −2/7 u
+
+    In a step friction gives at most μ N Δt, which is μ g Δt per mass, in any
+    direction. Where that is less than 2/7 of the slip, J is shortened to it.
 
     A ball that starts without spin therefore rolls with 5/7 of its speed,
     whatever μ is: a smaller μ only takes longer.
     """
-    v, omega = (
-        finite("velocity", vector("velocity", velocity)),
-        finite("spin", vector("spin", spin)),
-    )
-    if np.any(v[..., 2]):
-        raise ValueError(
-            "velocity must be along the floor: its z component must be 0"
-        )
-    size = finite("radius", positive("radius", radius))[..., None]
-    most = finite("friction", not_negative("friction", friction)) * finite(
-        "gravity", not_negative("gravity", gravity)
-    )
-    arm = -size * UP
-    slip = v + np.cross(omega, arm)
-    impulse = clamp_to_circle(
-        -2 / 7 * slip, most * finite("dt", not_negative("dt", dt))
-    )
-    return np.asarray(v + impulse), np.asarray(
-        omega + np.cross(arm, impulse) / (2 / 5 * size**2)
-    )
+    rule = "velocity must be along the floor: its z component must be 0"
+    require(velocity[..., 2] == 0, rule)
+    arm = -radius[..., None] * UP
+    slip = velocity + np.cross(spin, arm)
+    impulse = clamp_to_circle(-2 / 7 * slip, friction * gravity * dt)
+    inertia = (2 / 5 * radius**2)[..., None]
+    return velocity + impulse, spin + np.cross(arm, impulse) / inertia

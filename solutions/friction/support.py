@@ -1,21 +1,29 @@
-"""Forces between a body and its support, and when the body breaks away (slide 24)."""
+"""Forces between a body and its support, and its break-away (slide 24)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.domain import (
+    FiniteNotNegative,
+    FinitePositive,
+    Triple,
+    Unit,
+    Vector,
+    domain,
+)
 from solutions.friction.dry import holds
+from solutions.vectors import part_across, quotient
 
 
+@domain
 def support_force(
-    mass: ArrayLike,
-    gravity: ArrayLike,
-    push: ArrayLike,
-    frame_acceleration: ArrayLike,
-    normal: ArrayLike,
+    mass: FinitePositive,
+    gravity: Triple,
+    push: Triple,
+    frame_acceleration: Triple,
+    normal: Unit,
 ) -> tuple[Array, Array]:
     """The normal force on a body, and the force that friction has to hold.
 
@@ -24,31 +32,25 @@ def support_force(
 
     Parameters
     ----------
-    mass : (...), kg
+    mass : (...), m, kg, positive
     gravity, frame_acceleration : (..., 3), g and a of the support, m/s²
     push : (..., 3), F, any other force on the body, N
-    normal : (..., 3), unit, out of the support
+    normal : (..., 3), n, unit, out of the support
 
     Returns
     -------
-    normal_force : (...), N
+    normal_force : (...), N, in newtons
         What the support pushes with. It cannot pull: a force that lifts the
         body off leaves 0.
     along : (..., 3), N
         The part along the surface of all forces except the support's, as the
         support sees them, whether or not the body is lifted off.
 
-    Raises
-    ------
-    ValueError
-        If a mass is not positive and finite, a normal does not have length 1,
-        or a vector does not have three components.
-
     Notes
     -----
-    Seen from a support that accelerates with a, a body that moves
-    with the support is at rest, and the inertial force −m a acts on it beside
-    the weight m g and the push:
+    Seen from a support that accelerates with a, a body that moves with the
+    support is at rest, and the inertial force −m a acts on it beside the
+    weight m g and the push:
 
         F_all = m (g − a) + F
 
@@ -57,35 +59,24 @@ def support_force(
 
         N = max(0, −F_all·n)
 
-    The slide takes the weight for the normal force. On an incline N is m g cos
-    θ; a push may lean on the body or lift it; and in a lift a counts against
-    g. What remains of the force without its part along the normal is left to
-    friction:
+    The slide takes the weight for the normal force. On an incline N is
+    m g cos θ; a push may lean on the body or lift it; and in a lift a counts
+    against g. What remains of the force without its part along the normal is
+    left to friction:
 
         F_t = F_all − (F_all·n) n
     """
-    fall = vector("gravity", gravity) - vector(
-        "frame_acceleration", frame_acceleration
-    )
-    force = finite("mass", positive("mass", mass))[..., None] * fall + vector(
-        "push", push
-    )
-    n = unit("normal", vector("normal", normal))
-    return np.asarray(np.maximum(0.0, -np.vecdot(force, n))), less_normal_part(
-        force, n
-    )
+    force = mass[..., None] * (gravity - frame_acceleration) + push
+    normal_force = np.maximum(0.0, -np.vecdot(force, normal))
+    return normal_force, part_across(force, normal)
 
 
-def less_normal_part(vectors: Array, normal: Array) -> Array:
-    """The part of vectors along a surface with a unit normal: F − (F·n) n."""
-    return np.asarray(vectors - np.vecdot(vectors, normal)[..., None] * normal)
-
-
+@domain
 def break_away_time(
-    force: ArrayLike,
-    force_rate: ArrayLike,
-    normal: ArrayLike,
-    static_friction: ArrayLike,
+    force: Vector,
+    force_rate: Vector,
+    normal: Unit,
+    static_friction: FiniteNotNegative,
 ) -> Array:
     """First instant after which static friction no longer holds a body.
 
@@ -96,8 +87,8 @@ def break_away_time(
     force, force_rate : (..., 3), F and F', N and N/s
         The sum of all forces except the support's, and the rate at which it
         grows.
-    normal : (..., 3), unit, out of the support
-    static_friction : (...), μ_s
+    normal : (..., 3), n, unit, out of the support
+    static_friction : (...), μ_s, not negative
 
     Returns
     -------
@@ -106,16 +97,10 @@ def break_away_time(
         force pulls the body off. Infinity where it is held for ever. If N
         falls to zero before the push is above μ_s N, that instant.
 
-    Raises
-    ------
-    ValueError
-        If μ_s is negative, a normal does not have length 1, something is not
-        finite, or a vector does not have three components.
-
     Notes
     -----
-    Split the force into its part along the surface, F_t + F_t' t,
-    and the normal force, N + N' t. Static friction holds the body while
+    Split the force into its part along the surface, F_t + F_t' t, and the
+    normal force, N + N' t. Static friction holds the body while
 
         ‖F_t + F_t' t‖ ≤ μ_s (N + N' t)
 
@@ -123,42 +108,41 @@ def break_away_time(
     cone at most once. Squared, with μ for μ_s, the condition is
 
         a t² + 2 b t + c ≤ 0
-        a = F_t'² − μ²N'²,  b = F_t·F_t' − μ²N N',  c = F_t² − μ²N²
+        a = F_t'² − μ² N'²
+        b = F_t·F_t' − μ² N N'
+        c = F_t² − μ² N²
 
-    The condition fails from t = (√(b² − a c) − b)/a on. The code writes the
-    discriminant as
+    It fails from the larger root on, which has two forms. Each is used where
+    it subtracts no two nearly equal numbers:
 
-        b² − a c = μ²‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖²
+        t = −c/(b + √(b² − a c))     where b > 0
+        t = (√(b² − a c) − b)/a      where b ≤ 0 and a > 0
 
-    which loses no digits where N and F_t end almost together.
+    The code writes the discriminant as
+
+        b² − a c = μ² ‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖²
+
+    which loses no digits where N and F_t end almost together. Apart from this,
+    the body lifts off where N + N' t = 0, at t = −N/N' if N' < 0.
     """
-    n, mu = (
-        unit("normal", vector("normal", normal)),
-        not_negative("static_friction", static_friction),
-    )
-    force, rate = (
-        finite("force", vector("force", force)),
-        finite("force_rate", vector("force_rate", force_rate)),
-    )
-    press, press_rate = -np.vecdot(force, n), -np.vecdot(rate, n)
-    f, rate = less_normal_part(force, n), less_normal_part(rate, n)
-    held = holds(f, np.maximum(0.0, press), mu) & (press >= 0)
-    a = np.vecdot(rate, rate) - (mu * press_rate) ** 2
-    b = np.vecdot(f, rate) - mu**2 * press * press_rate
+    mu = static_friction
+    press = -np.vecdot(force, normal)
+    press_rate = -np.vecdot(force_rate, normal)
+    along = part_across(force, normal)
+    along_rate = part_across(force_rate, normal)
+    held = holds(along, np.maximum(0.0, press), mu) & (press >= 0)
+    a = np.vecdot(along_rate, along_rate) - (mu * press_rate) ** 2
+    b = np.vecdot(along, along_rate) - mu**2 * press * press_rate
     # At the limit of `holds`, rounding may make c positive.
-    c = np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2)
-    spread, across = (
-        press[..., None] * rate - press_rate[..., None] * f,
-        np.cross(f, rate),
+    c = np.minimum(0.0, np.vecdot(along, along) - (mu * press) ** 2)
+    spread = press[..., None] * along_rate - press_rate[..., None] * along
+    turn = np.cross(along, along_rate)
+    squared = mu**2 * np.vecdot(spread, spread) - np.vecdot(turn, turn)
+    root = np.sqrt(np.maximum(0.0, squared))
+    slides = np.where(
+        b > 0,
+        quotient(-c, b + root),
+        np.where(a > 0, quotient(root - b, a), np.inf),
     )
-    root = np.sqrt(
-        np.maximum(
-            0.0, mu**2 * np.vecdot(spread, spread) - np.vecdot(across, across)
-        )
-    )
-    with np.errstate(divide="ignore", invalid="ignore"):
-        leaves = np.where(
-            b > 0, -c / (b + root), np.where(a > 0, (root - b) / a, np.inf)
-        )
-        lifts = np.where(press_rate < 0, -press / press_rate, np.inf)
-        return np.where(held, np.minimum(leaves, lifts), 0.0)
+    lifts = np.where(press_rate < 0, quotient(-press, press_rate), np.inf)
+    return np.where(held, np.minimum(slides, lifts), 0.0)

@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import (
-    finite,
-    in_unit_interval,
-    not_negative,
-    unit,
-    vector,
-)
 from solutions.detection import signed_distance, time_of_impact_exact
+from solutions.domain import (
+    Finite,
+    NotNegative,
+    Share,
+    Unit,
+    Vector,
+    domain,
+)
 from solutions.forces import ballistic_motion
+from solutions.vectors import quotient
 
 
+@domain
 def time_until_rest(
-    separation: ArrayLike,
-    normal_velocity: ArrayLike,
-    normal_acceleration: ArrayLike,
-    restitution: ArrayLike,
+    separation: Finite,
+    normal_velocity: Finite,
+    normal_acceleration: Finite,
+    restitution: Share,
 ) -> Array:
-    """Time until a bouncing body lies on the plane for good.
+    """Time until a bouncing body lies on the plane for good (slide 3).
 
     The body makes infinitely many impacts in a finite time.
 
@@ -37,54 +39,44 @@ def time_until_rest(
     Returns
     -------
     (...), s from now
-        Infinity where e = 1 and the body moves, where it never arrives, and where no
-        acceleration brings it back after a bounce; an a > 0 pulls it off in the end. 0
-        where the body lies on the plane already. The time t1 of the first impact where
-        e = 0.
-
-    Raises
-    ------
-    ValueError
-        If a motion is not finite, or e is not from 0 to 1.
+        Infinity where e = 1 and the body moves, where it never arrives, and
+        where no acceleration brings it back after a bounce; an a > 0 pulls it
+        off in the end. 0 where the body lies on the plane already. The time
+        t₁ of the first impact where e = 0.
 
     Notes
     -----
-    The body arrives for the first time at t1, with the speed w = √(u² − 2 a s). Each
-    impact multiplies the speed by e, so that the body leaves impact n with the speed w
-    eⁿ. It takes the time w eⁿ/|a| to turn round and the same time to come back, and so
-    the flight after impact n lasts 2 w eⁿ/|a|. All flights together are a geometric
-    series:
+    The body arrives for the first time at t₁, with the speed
 
-        t1 + (2 w/|a|) (e + e² + …) = t1 + (2 w/|a|) e/(1 − e)
+        w = √(u² − 2 a s)
 
-    For a body that falls from rest t1 = w/|a|, and the sum is t1 (1 + e)/(1 − e).
+    Each impact multiplies the speed by e, so that the body leaves impact n
+    with the speed w eⁿ. It takes the time w eⁿ/|a| to turn round and the same
+    time to come back, and so the flight after impact n lasts 2 w eⁿ/|a|. All
+    flights together are a geometric series:
+
+        t₁ + (2 w/|a|) (e + e² + …) = t₁ + (2 w/|a|) e/(1 − e)
+
+    For a body that falls from rest t₁ = w/|a|, and the sum is
+    t₁ (1 + e)/(1 − e).
     """
-    s, u = (
-        np.maximum(finite("separation", separation), 0.0),
-        finite("normal_velocity", normal_velocity),
-    )
-    a, e = (
-        finite("normal_acceleration", normal_acceleration),
-        in_unit_interval("restitution", restitution),
-    )
-    rebound = e * _arrival_speed(s, u, a)
-    # A rebound at w' starts a flight of 2 w'/|a|; all flights, 1/(1 − e) times that.
-    slowing = -a * (1 - e)
-    flights = np.where(
-        slowing > 0, 2 * rebound / np.where(slowing > 0, slowing, 1.0), np.inf
-    )
-    until = time_of_impact_exact(s, u, a) + np.where(rebound > 0, flights, 0.0)
-    return np.where(
-        (s == 0) & (u == 0) & (a <= 0), 0.0, np.where(a > 0, np.inf, until)
-    )
+    s = np.maximum(separation, 0.0)
+    u, a = normal_velocity, normal_acceleration
+    rebound = restitution * _arrival_speed(s, u, a)
+    flights = quotient(2 * rebound, -a * (1 - restitution), np.inf)
+    flights = np.where(rebound > 0, flights, 0.0)
+    until_rest = time_of_impact_exact(s, u, a) + flights
+    lies = (s == 0) & (u == 0) & (a <= 0)
+    return np.where(lies, 0.0, np.where(a > 0, np.inf, until_rest))
 
 
+@domain
 def bounce_along_normal(
-    separation: ArrayLike,
-    normal_velocity: ArrayLike,
-    normal_acceleration: ArrayLike,
-    restitution: ArrayLike,
-    dt: ArrayLike,
+    separation: Finite,
+    normal_velocity: Finite,
+    normal_acceleration: Finite,
+    restitution: Share,
+    dt: NotNegative,
     most_impacts: int = 1000,
 ) -> tuple[Array, Array, Array, Array]:
     """Motion along the normal over a step with any number of impacts, exactly.
@@ -95,44 +87,36 @@ def bounce_along_normal(
     normal_velocity : (...), u, m/s, positive when moving away
     normal_acceleration : (...), a, m/s², negative towards the plane
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of the step
-    most_impacts : rounds at most
+    dt : (...), s, length of the step, not negative
+    most_impacts : int, how many rounds at most
 
     Returns
     -------
     separation, normal_velocity : (...), m and m/s, at the end of the step
     impacts : (...), how many
-        Infinity where the body came to rest by bouncing, 0 where it lay on the plane
-        from the start.
+        Infinity where the body came to rest by bouncing, 0 where it lay on
+        the plane from the start.
     time_left : (...), s
-        0 where the step is done. Where the rounds did not suffice, the part of the step
-        that remains after the last impact, so that the caller may continue from there.
-
-    Raises
-    ------
-    ValueError
-        If a motion is not finite, dt is negative, or e is not from 0 to 1.
+        0 where the step is done. Where the rounds did not suffice, the part of
+        the step that remains after the last impact, so that the caller may
+        continue from there.
 
     Notes
     -----
-    Each round goes to the next impact and turns the arrival speed w into e w, until the
-    step has no further impact. A body that comes to rest within the step makes
-    infinitely many impacts (Zeno's paradox), and no number of rounds would reach their
-    end. Where `time_until_rest` says that this end lies within the step, the function
-    puts the body on the plane, at rest, without a round.
+    Each round goes to the next impact and turns the arrival speed w into e w,
+    until the step has no further impact. A body that comes to rest within the
+    step makes infinitely many impacts (Zeno's paradox), and no number of
+    rounds would reach their end. Where `time_until_rest` says that this end
+    lies within the step, the function puts the body on the plane, at rest,
+    without a round.
     """
-    state = (
-        finite("separation", separation),
-        finite("normal_velocity", normal_velocity),
-    )
-    a, e = (
-        finite("normal_acceleration", normal_acceleration),
-        in_unit_interval("restitution", restitution),
-    )
     s, u, a, e, left = np.broadcast_arrays(
-        *state, a, e, not_negative("dt", dt)
+        np.maximum(separation, 0.0),
+        normal_velocity,
+        normal_acceleration,
+        restitution,
+        dt,
     )
-    s = np.maximum(s, 0.0)
     rests = time_until_rest(s, u, a, e) <= left
     lay = (s == 0) & (u == 0)
     impacts = np.where(rests & ~lay, np.where(e > 0, np.inf, 1.0), 0.0)
@@ -143,30 +127,26 @@ def bounce_along_normal(
         struck = time <= left[moving]
         if not struck.any():
             break
-        moving[moving] = (
-            struck  # the others meet the plane no more in this step
-        )
+        moving[moving] = struck  # the others meet the plane no more
         u[moving] = e[moving] * _arrival_speed(s[moving], u[moving], a[moving])
         s[moving] = 0.0
         left[moving] -= time[struck]
         impacts[moving] += 1
     due = time_of_impact_exact(s, u, a) <= left  # the rounds did not suffice
     flight = np.where(due, 0.0, left)
-    s, u = (
-        np.maximum(s + u * flight + a * flight * flight / 2, 0.0),
-        u + a * flight,
-    )
-    return s, u, impacts, left - flight
+    s = np.maximum(s + u * flight + a * flight * flight / 2, 0.0)
+    return s, u + a * flight, impacts, left - flight
 
 
+@domain
 def bounce_through_step(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: ArrayLike,
-    normal: ArrayLike,
-    offset: ArrayLike,
-    restitution: ArrayLike,
-    dt: ArrayLike,
+    position: Vector,
+    velocity: Vector,
+    acceleration: Vector,
+    normal: Unit,
+    offset: Finite,
+    restitution: Share,
+    dt: NotNegative,
     most_impacts: int = 1000,
 ) -> tuple[Array, Array, Array, Array]:
     """State after a step in which every collision is resolved at its instant.
@@ -177,55 +157,46 @@ def bounce_through_step(
     ----------
     position, velocity, acceleration : (..., 3), m, m/s, m/s²
         At the start of the step.
-    normal : (..., 3), unit, out of the plane
+    normal : (..., 3), n, unit, out of the plane
     offset : (...), d, m
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of the step
-    most_impacts : rounds at most
+    dt : (...), s, length of the step, not negative
+    most_impacts : int, how many rounds at most
 
     Returns
     -------
-    position, velocity : (..., 3) each
-        A body that came to rest lies on the plane and continues to slide along it.
+    position, velocity : (..., 3) each, m and m/s
+        A body that came to rest lies on the plane and continues to slide
+        along it.
     impacts, time_left : (...), as in bounce_along_normal
-
-    Raises
-    ------
-    ValueError
-        As bounce_along_normal and signed_distance, or if a normal does not have length
-        1.
 
     Notes
     -----
-    The motion along the normal is that of `bounce_along_normal`. Without friction an
-    impact does not change the motion along the plane, which is the free one throughout.
+    The motion along the normal is that of `bounce_along_normal`. Without
+    friction an impact does not change the motion along the plane, which is the
+    free one throughout.
     """
-    n, v, a = (
-        unit("normal", normal),
-        vector("velocity", velocity),
-        np.asarray(acceleration, dtype=float),
+    separation, u, impacts, left = bounce_along_normal(
+        signed_distance(position, normal, offset),
+        np.vecdot(velocity, normal),
+        np.vecdot(acceleration, normal),
+        restitution,
+        dt,
+        most_impacts,
     )
-    before, u, a_n = (
-        signed_distance(position, n, offset),
-        np.vecdot(v, n),
-        np.vecdot(a, n),
-    )
-    after, u_after, impacts, left = bounce_along_normal(
-        before, u, a_n, restitution, dt, most_impacts
-    )
-    free, v = ballistic_motion(position, v, a, np.asarray(dt) - left)
-    position = free + (after - signed_distance(free, n, offset))[..., None] * n
-    return (
-        position,
-        v + (u_after - np.vecdot(v, n))[..., None] * n,
-        impacts,
-        left,
-    )
+    free, v = ballistic_motion(position, velocity, acceleration, dt - left)
+    lift = separation - signed_distance(free, normal, offset)
+    kick = u - np.vecdot(v, normal)
+    position = free + lift[..., None] * normal
+    return position, v + kick[..., None] * normal, impacts, left
 
 
 def _arrival_speed(
     separation: Array, normal_velocity: Array, normal_acceleration: Array
 ) -> Array:
-    """Speed √(u² − 2 a s) at which a body meets the plane, m/s; 0 where it does not."""
+    """Speed √(u² − 2 a s) at which a body meets the plane, m/s.
+
+    0 where it does not meet it.
+    """
     u, a, s = normal_velocity, normal_acceleration, separation
-    return np.asarray(np.sqrt(np.maximum(u * u - 2 * a * s, 0.0)))
+    return np.sqrt(np.maximum(u * u - 2 * a * s, 0.0))

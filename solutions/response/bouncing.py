@@ -3,22 +3,31 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, vector, whole
+from solutions.domain import (
+    Finite,
+    NotNegative,
+    Share,
+    Triple,
+    Unit,
+    Vector,
+    Whole,
+    domain,
+)
 from solutions.response.steps import respond_at_step
 
 
+@domain
 def bounce(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    acceleration: ArrayLike,
-    normal: ArrayLike,
-    offset: ArrayLike,
-    restitution: ArrayLike,
-    dt: ArrayLike,
-    steps: int,
+    position: Vector,
+    velocity: Triple,
+    acceleration: Triple,
+    normal: Unit,
+    offset: Finite,
+    restitution: Share,
+    dt: NotNegative,
+    steps: Whole,
 ) -> tuple[Array, Array]:
     """Where a ball is, and how fast, after each step over a plane (slide 6).
 
@@ -30,12 +39,12 @@ def bounce(
     ----------
     position, velocity, acceleration : (..., 3), m, m/s, m/s²
         At the start. The acceleration stays as it is.
-    normal : (..., 3), unit, out of the plane
+    normal : (..., 3), n, unit, out of the plane
     offset : (...), d, m
         Of the plane that the centre must not pass. It lies one radius before
         the one that the ball touches.
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of each step
+    dt : (...), s, length of each step, not negative
     steps : int, how many, 0 or more, the same for all balls of a call
 
     Returns
@@ -46,33 +55,25 @@ def bounce(
         e = 0 a ball moves along the plane after its response; on a slanted
         plane, rounding decides whether v·n is then below zero.
 
-    Raises
-    ------
-    ValueError
-        If steps is negative or not a whole number, a position or an offset is
-        not finite, or as respond_at_step.
-
     Notes
     -----
     Three things are done in each step, in this order: look, respond, move. A
     loop that moves first and looks afterwards costs as much, and its apex is
     lower (see the notes of `respond_at_step`).
     """
-    count = int(finite("steps", not_negative("steps", whole("steps", steps))))
-    a, n = vector("acceleration", acceleration), vector("normal", normal)
-    p, v = (
-        finite("position", vector("position", position)),
-        vector("velocity", velocity),
+    p, v, *_ = np.broadcast_arrays(
+        position,
+        velocity,
+        acceleration,
+        normal,
+        *(number[..., None] for number in (offset, restitution, dt)),
     )
-    d = finite("offset", offset)
-    columns = [
-        np.asarray(number)[..., None] for number in (d, restitution, dt)
-    ]
-    p, v, *_ = np.broadcast_arrays(p, v, a, n, *columns)
     positions, velocities = [p], [v]
-    for _ in range(count):
-        behind = np.vecdot(p, n) + d < 0
-        p, v = respond_at_step(p, v, a, n, behind, restitution, dt)
+    for _ in range(int(steps)):
+        behind = np.vecdot(p, normal) + offset < 0
+        p, v = respond_at_step(
+            p, v, acceleration, normal, behind, restitution, dt
+        )
         positions.append(p)
         velocities.append(v)
     return np.stack(positions), np.stack(velocities)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, positive
+from solutions.checks import positive
+from solutions.domain import FinitePositive, Share, domain
 from solutions.response.penalty_impact import penalty_damping
 
 
+@domain
 def design_contact(
-    mass: ArrayLike,
-    speed: ArrayLike,
-    depth: ArrayLike,
-    restitution: ArrayLike,
-    steps_per_contact: ArrayLike,
+    mass: FinitePositive,
+    speed: FinitePositive,
+    depth: FinitePositive,
+    restitution: Annotated[Share, positive],
+    steps_per_contact: FinitePositive,
 ) -> tuple[Array, Array, Array]:
     """Stiffness, damping and timestep of a penalty contact (slide 8).
 
@@ -35,7 +38,7 @@ def design_contact(
     restitution : (...), e, above 0, and 1 at most
         A contact that cannot pull never takes all the speed, so that no
         damper gives e = 0.
-    steps_per_contact : (...), positive, of any value, not only whole
+    steps_per_contact : (...), n, positive, of any value, not only whole
 
     Returns
     -------
@@ -43,18 +46,13 @@ def design_contact(
     damping : (...), c, N s/m; 0 for e = 1
     timestep : (...), s
 
-    Raises
-    ------
-    ValueError
-        If m, v, d, e or the number of steps is not positive and finite, or e
-        is above 1.
-
     Notes
     -----
     At the depth d all the energy of the motion is in the spring,
     m v²/2 = k d²/2, so that
 
-        k = m v²/d²    and    ω = √(k/m) = v/d
+        k = m v²/d²
+        ω = √(k/m) = v/d
 
     The damping that gives e is that of `penalty_damping`. A body on the spring
     alone swings, and a contact is half a period of this swing, π/ω. With n
@@ -75,14 +73,7 @@ def design_contact(
     k = e m v²/d² would be just enough. The rule here leaves a reserve for the
     weight and for the error of the steps.
     """
-    m, v = _number("mass", mass), _number("speed", speed)
-    d, e = _number("depth", depth), _number("restitution", restitution)
-    n = _number("steps_per_contact", steps_per_contact)
-    k = np.asarray(m * (v / d) ** 2)
-    half_period = np.pi / np.sqrt(k / m)
-    return k, penalty_damping(e, m, k), np.asarray(half_period / n)
-
-
-def _number(name: str, value: ArrayLike) -> Array:
-    """Return the value as an array; refuse what is not positive and finite."""
-    return finite(name, positive(name, value))
+    stiffness = mass * (speed / depth) ** 2
+    damping = penalty_damping(restitution, mass, stiffness)
+    half_period = np.pi / np.sqrt(stiffness / mass)
+    return stiffness, damping, half_period / steps_per_contact

@@ -23,7 +23,7 @@ def kinematic_response(
     Parameters
     ----------
     velocity : (..., 3), v, m/s
-    normal : (..., 3), unit, out of the plane
+    normal : (..., 3), N, unit, out of the plane
     restitution : (...), e, 0 to 1
     plane_velocity : (..., 3), w, m/s
 

@@ -7,18 +7,26 @@ damping c and mass m.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.domain import (
+    Finite,
+    FiniteNotNegative,
+    FinitePositive,
+    NotNegative,
+    Positive,
+    Unit,
+    domain,
+)
 
 
+@domain
 def penalty_force(
-    separation: ArrayLike,
-    normal_velocity: ArrayLike,
-    normal: ArrayLike,
-    stiffness: ArrayLike,
-    damping: ArrayLike = 0.0,
+    separation: Finite,
+    normal_velocity: Finite,
+    normal: Unit,
+    stiffness: FiniteNotNegative,
+    damping: FiniteNotNegative = 0.0,
     adhesive: bool = False,
 ) -> Array:
     """Force of a contact made of a spring beside a dashpot (slide 8).
@@ -30,10 +38,10 @@ def penalty_force(
     separation : (...), s, m, negative inside
     normal_velocity : (...), v_n, m/s, positive when moving away
         Relative to the plane.
-    normal : (..., 3), unit, out of the plane
-    stiffness : (...), k, N/m
-    damping : (...), c, N s/m
-    adhesive : whether the contact may pull
+    normal : (..., 3), n, unit, out of the plane
+    stiffness : (...), k, N/m, not negative
+    damping : (...), c, N s/m, not negative
+    adhesive : bool, whether the contact may pull
 
     Returns
     -------
@@ -41,53 +49,41 @@ def penalty_force(
         0 where s ≥ 0. Never towards the plane, unless the contact is adhesive:
         a damping force that exceeds that of the spring then pulls.
 
-    Raises
-    ------
-    ValueError
-        If k or c is negative or infinite, a motion is not finite, or a normal
-        does not have length 1.
-
     Notes
     -----
-    With the depth d = −s while s < 0,
+    The depth is d = −s. The force is
 
-        F = max(0, k d − c v_n) N    and F = 0 while s ≥ 0
+        F = max(0, k d − c v_n) n    while s < 0
+        F = 0                        while s ≥ 0
 
     The slide's F = k d has no direction. It has no damping, so that no impact
     loses energy, and nothing keeps it from pulling. `adhesive` leaves out the
     max, as LAMMPS does: the dashpot then holds the body back on its way out.
     """
-    depth = -finite("separation", separation)
-    k = finite("stiffness", not_negative("stiffness", stiffness))
-    c = finite("damping", not_negative("damping", damping))
-    push = k * depth - c * finite("normal_velocity", normal_velocity)
+    depth = -separation
+    push = stiffness * depth - damping * normal_velocity
     push = push if adhesive else np.maximum(push, 0.0)
     push = np.where(depth > 0, push, 0.0)
-    n = unit("normal", vector("normal", normal))
-    return np.asarray(push[..., None] * n)
+    return push[..., None] * normal
 
 
+@domain
 def penalty_rest_depth(
-    mass: ArrayLike,
-    gravity: ArrayLike,
-    stiffness: ArrayLike,
+    mass: NotNegative,
+    gravity: NotNegative,
+    stiffness: Positive,
 ) -> Array:
     """Depth at which a penalty floor carries the weight of a body (slide 8).
 
     Parameters
     ----------
-    mass : (...), kg
-    gravity : (...), along the normal into the floor, m/s², not negative
+    mass : (...), m, kg, not negative
+    gravity : (...), g, along the normal into the floor, m/s², not negative
     stiffness : (...), k, N/m, positive
 
     Returns
     -------
     (...), m
-
-    Raises
-    ------
-    ValueError
-        If mass or gravity is negative, or k is not positive.
 
     Notes
     -----
@@ -95,14 +91,14 @@ def penalty_rest_depth(
 
         d = m g/k
     """
-    weight = not_negative("mass", mass) * not_negative("gravity", gravity)
-    return np.asarray(weight / positive("stiffness", stiffness))
+    return mass * gravity / stiffness
 
 
+@domain
 def penalty_step_limit(
-    mass: ArrayLike,
-    stiffness: ArrayLike,
-    damping: ArrayLike = 0.0,
+    mass: FinitePositive,
+    stiffness: FinitePositive,
+    damping: FiniteNotNegative = 0.0,
 ) -> Array:
     """Timestep above which a penalty contact is shaken apart (slide 8).
 
@@ -111,19 +107,14 @@ def penalty_step_limit(
 
     Parameters
     ----------
-    mass : (...), kg, positive
+    mass : (...), m, kg, positive
     stiffness : (...), k, N/m, positive
-    damping : (...), c, N s/m
+    damping : (...), c, N s/m, not negative
 
     Returns
     -------
     (...), s
         It has all its digits, however strong the damping is.
-
-    Raises
-    ------
-    ValueError
-        If m or k is not positive, c is negative, or one of them is not finite.
 
     Notes
     -----
@@ -144,24 +135,12 @@ def penalty_step_limit(
     """
     omega, zeta = frequency_and_ratio(mass, stiffness, damping)
     # √(1 + ζ²) − ζ, as 1/(√(1 + ζ²) + ζ), so that no difference loses digits
-    return np.asarray(2 / (omega * (np.sqrt(1 + zeta**2) + zeta)))
+    return 2 / (omega * (np.sqrt(1 + zeta**2) + zeta))
 
 
 def frequency_and_ratio(
-    mass: ArrayLike,
-    stiffness: ArrayLike,
-    damping: ArrayLike,
+    mass: Array, stiffness: Array, damping: Array
 ) -> tuple[Array, Array]:
     """The undamped frequency ω, rad/s, and the damping ratio ζ."""
-    m, k = mass_and_stiffness(mass, stiffness)
-    c = finite("damping", not_negative("damping", damping))
-    return np.sqrt(k / m), np.asarray(c / (2 * np.sqrt(k) * np.sqrt(m)))
-
-
-def mass_and_stiffness(
-    mass: ArrayLike,
-    stiffness: ArrayLike,
-) -> tuple[Array, Array]:
-    """Mass and stiffness, kg and N/m, as arrays; positive and finite."""
-    m, k = positive("mass", mass), positive("stiffness", stiffness)
-    return finite("mass", m), finite("stiffness", k)
+    ratio = damping / (2 * np.sqrt(stiffness) * np.sqrt(mass))
+    return np.sqrt(stiffness / mass), ratio

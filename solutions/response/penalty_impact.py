@@ -1,44 +1,48 @@
 """An impact on a penalty contact: what speed it leaves (slide 8).
 
-Throughout this module ω = √(k/m) and ζ = c/(2 √(k m)), with stiffness k, damping c and
-mass m. The impact is computed without gravity, which is small beside the spring.
+Throughout this module ω = √(k/m) and ζ = c/(2 √(k m)), with stiffness k,
+damping c and mass m. The impact is computed without gravity, which is small
+beside the spring.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import in_unit_interval
-from solutions.response.penalty import frequency_and_ratio, mass_and_stiffness
+from solutions.domain import (
+    FiniteNotNegative,
+    FinitePositive,
+    Share,
+    domain,
+)
+from solutions.response.penalty import frequency_and_ratio
+from solutions.vectors import quotient
 
 
+@domain
 def penalty_restitution(
-    mass: ArrayLike,
-    stiffness: ArrayLike,
-    damping: ArrayLike = 0.0,
+    mass: FinitePositive,
+    stiffness: FinitePositive,
+    damping: FiniteNotNegative = 0.0,
     adhesive: bool = False,
 ) -> Array:
-    """Speed after an impact on a penalty contact over the speed before it (slide 8).
+    """Speed after an impact on a penalty contact, as a share of that before.
+
+    On slide 8 the contact has no damping, and the share is 1.
 
     Parameters
     ----------
-    mass : (...), kg, positive
+    mass : (...), m, kg, positive
     stiffness : (...), k, N/m, positive
-    damping : (...), c, N s/m
-    adhesive : whether the contact may pull
+    damping : (...), c, N s/m, not negative
+    adhesive : bool, whether the contact may pull
 
     Returns
     -------
-    (...), 0 to 1
-        At ζ = 1 it is e^−2 = .135 without adhesion. With adhesion it is 0 from ζ = 1
-        on.
-
-    Raises
-    ------
-    ValueError
-        If m or k is not positive, c is negative, or one of them is not finite.
+    (...), e, 0 to 1
+        At ζ = 1 it is exp(−2) = 0.135 without adhesion. With adhesion it is 0
+        from ζ = 1 on.
 
     Notes
     -----
@@ -47,29 +51,34 @@ def penalty_restitution(
 
         x = −v/(ω s) exp(−ζ ω t) sin(ω s t)
 
-    With adhesion the contact ends where x is zero again, at t = π/(ω s). Without
-    adhesion it ends earlier, where the force k x + c x′ is zero. Put x and x′ into that
-    condition and divide by cos(ω s t): tan(ω s t) = −2ζs/(1 − 2ζ²). The first positive
-    solution is
+    With adhesion the contact ends where x is zero again, at t = π/(ω s).
+    Without adhesion it ends earlier, where the force k x + c x′ is zero. Put x
+    and x′ into that condition and divide by cos(ω s t):
 
-        t = (π − atan2(2ζs, 1 − 2ζ²))/(ω s) = 2 arccos(ζ)/(ω s)
+        tan(ω s t) = −2ζs/(1 − 2ζ²)
 
-    The second form follows with ζ = cos φ and s = sin φ, because 2ζs = sin 2φ and
-    1 − 2ζ² = −cos 2φ. Above ζ = 1 read arcosh(ζ)/√(ζ² − 1) for arccos(ζ)/s; at ζ = 1
-    both are 1. At this time the velocity x′ of the body has the size v exp(−ζ ω t), so
-    that
+    The first positive solution is
 
-        e = exp[−(ζ/s)(π − atan2(2ζs, 1 − 2ζ²))] = exp(−2ζ arccos(ζ)/s)
+        t = (π − atan2(2ζs, 1 − 2ζ²))/(ω s)
+          = 2 arccos(ζ)/(ω s)
+
+    The second form follows with ζ = cos φ and s = sin φ, because 2ζs = sin 2φ
+    and 1 − 2ζ² = −cos 2φ. Above ζ = 1 read arcosh(ζ)/√(ζ² − 1) for
+    arccos(ζ)/s; at ζ = 1 both are 1. At this time the velocity x′ of the body
+    has the size v exp(−ζ ω t), so that
+
+        e = exp(−2ζ arccos(ζ)/s)
         e = exp(−πζ/s)    with adhesion
     """
     _, zeta = frequency_and_ratio(mass, stiffness, damping)
-    return np.asarray(np.exp(-zeta * _swept_angle(zeta, adhesive)))
+    return np.exp(-zeta * _swept_angle(zeta, adhesive))
 
 
+@domain
 def penalty_damping(
-    restitution: ArrayLike,
-    mass: ArrayLike,
-    stiffness: ArrayLike,
+    restitution: Share,
+    mass: FinitePositive,
+    stiffness: FinitePositive,
     adhesive: bool = False,
 ) -> Array:
     """Damping that gives a penalty contact the restitution e.
@@ -79,21 +88,16 @@ def penalty_damping(
     Parameters
     ----------
     restitution : (...), e, 0 to 1
-    mass : (...), kg, positive
+    mass : (...), m, kg, positive
     stiffness : (...), k, N/m, positive
-    adhesive : whether the contact may pull
+    adhesive : bool, whether the contact may pull
 
     Returns
     -------
-    (...), N s/m
+    (...), c, N s/m
         0 for e = 1. For e = 0 it is infinity, because a contact that cannot
         pull never takes all the speed; with adhesion it is 2 √(k m), which
         does.
-
-    Raises
-    ------
-    ValueError
-        If e is not from 0 to 1, or m or k is not positive and finite.
 
     Notes
     -----
@@ -108,10 +112,8 @@ def penalty_damping(
     Without adhesion there is no such formula. But e falls steadily as ζ
     grows, so that bisection finds ζ.
     """
-    e = in_unit_interval("restitution", restitution)
-    m, k = mass_and_stiffness(mass, stiffness)
-    zeta = _ratio_adhesive(e) if adhesive else _ratio(e)
-    return np.asarray(2 * zeta * np.sqrt(k) * np.sqrt(m))
+    zeta = _ratio_adhesive(restitution) if adhesive else _ratio(restitution)
+    return 2 * zeta * np.sqrt(stiffness) * np.sqrt(mass)
 
 
 def _swept_angle(zeta: Array, adhesive: bool = False) -> Array:
@@ -122,7 +124,7 @@ def _swept_angle(zeta: Array, adhesive: bool = False) -> Array:
     """
     swings = zeta < 1
     sine = np.sqrt(np.abs((1 - zeta) * (1 + zeta)))
-    over_sine = 1 / np.where(sine > 0, sine, 1.0)
+    over_sine = quotient(1.0, sine)
     if adhesive:
         return np.where(swings, np.pi * over_sine, np.inf)
     below = np.arccos(np.minimum(zeta, 1.0))
@@ -145,7 +147,8 @@ def _ratio(restitution: Array) -> Array:
     """
     some = np.where(restitution > 0, restitution, 1.0)
     loss = np.abs(np.log(some))
-    low, high = loss / np.pi, np.where(loss <= 2, loss / 2, 1 / np.sqrt(some))
+    low = loss / np.pi
+    high = np.where(loss <= 2, loss / 2, 1 / np.sqrt(some))
     for _ in range(60):
         middle = (low + high) / 2
         too_lively = middle * _swept_angle(middle) < loss

@@ -33,12 +33,12 @@ def respond_at_impact(
     ----------
     position, velocity, acceleration : (..., 3), m, m/s, m/s²
         At the start of the step.
-    normal : (..., 3), unit, out of the plane
+    normal : (..., 3), n, unit, out of the plane
     restitution : (...), e, 0 to 1
-    time_of_impact : (...), T, s from the start of the step
+    time_of_impact : (...), T, s from the start of the step, not negative
         Exact or the slide's. T = dt is a collision at the very end of the
         step. A later T means no collision, and so does infinity.
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step, not negative
 
     Returns
     -------
@@ -79,11 +79,11 @@ def respond_at_step(
     ----------
     position, velocity, acceleration : (..., 3), m, m/s, m/s²
         At the start of the step.
-    normal : (..., 3), unit, out of the plane
+    normal : (..., 3), n, unit, out of the plane
     behind : (...), bool
         Whether the body is behind the plane, as from `side_of_plane`.
     restitution : (...), e, 0 to 1
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step, not negative
 
     Returns
     -------

@@ -357,7 +357,7 @@ STATE = ((0, 0, 1), (0, 0, -1), PULL)
         (lambda: bounce_along_normal(1.0, 0.0, -1.0, 2.0, 1.0), "restitution must be from 0 to 1, not 2"),
         (lambda: bounce_along_normal(1.0, 0.0, -1.0, 0.5, -1.0), "dt must be zero or positive, not -1"),
         (lambda: bounce_through_step(*STATE, (0, 0, 2), 0.0, 0.5, 1.0), "normal must have length 1, not 2"),
-        (lambda: bounce_through_step((0, 0), *STATE[1:], UP, 0.0, 0.5, 1.0), r"point must have shape \(..., 3\)"),
+        (lambda: bounce_through_step((0, 0), *STATE[1:], UP, 0.0, 0.5, 1.0), r"position must have shape \(..., 3\)"),
         (lambda: bounce_through_step(STATE[0], 1.0, PULL, UP, 0.0, 0.5, 1.0), r"velocity must have shape \(..., 3\)"),
     ],
 )

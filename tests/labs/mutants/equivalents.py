@@ -86,10 +86,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "penalty_step_limit": {NOT_NEGATIVE: ("size for it: …",)},
     "design_contact": {
         TWICE: ("speed: sign flipped", "depth: sign flipped"),
-        NOT_NEGATIVE: ("size for it: …", "in _number: size for it: value → np.abs(value)"),
+        NOT_NEGATIVE: ("size for it: …",),
     },
     "frequency_and_ratio": {NOT_NEGATIVE: ("size for it: …",)},
-    "mass_and_stiffness": {NOT_NEGATIVE: ("size for it: …",)},
     "sliding_motion": {
         NOT_NEGATIVE: ("size for it: dt[..., None] - first → …", "size for it: (p + after … np.abs(stopping_time))"),
         "At the stop v + a t is zero, except for rounding.": (
@@ -130,7 +129,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
         ROUNDING: ("limit dropped: np.maximum(0.0, mu ** 2 * np.vecdot(spread, spread) - … → shaped(mu ** 2 …, 0.0)",),
         "The push and its rate are turned round together, and only their sizes and their product count.": (
-            "in less_normal_part: sign flipped: vectors - np.vecdot(vectors, normal)[..., None] * normal → np.vecdot…",
+            "in part_across: sign flipped: vectors - part_along(vectors, normal) → part_along…",
         ),
     },
     "propagate_impacts": {
