@@ -26,5 +26,7 @@ def quotient(
     dividend: Array | float, divisor: Array, otherwise: Array | float = 0.0
 ) -> Array:
     """dividend/divisor, and a stated value where the divisor is zero."""
-    none = divisor == 0
+    none = np.equal(divisor, 0)
+    if not none.any():
+        return dividend / divisor
     return np.where(none, otherwise, dividend / np.where(none, 1.0, divisor))
