@@ -72,7 +72,7 @@ def build(
         head = {"schema": SCHEMA, "version": VERSION, "functions": {}}
         own = [known for known in table if known.function == entry.name]
         functions = content.setdefault(entry.topic, head)["functions"]
-        function = right.function(entry.name)
+        function = vars(right.function(entry.name))["__wrapped__"]  # as its module has it
         known_here = {name: each for name, each in earlier.items() if _may_spoil(name, entry.topic)}
         functions[entry.name] = learned(entry.name, function, own, known_here if inheriting else {})
         earlier[entry.name] = function, own
