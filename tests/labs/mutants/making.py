@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes import probes
+from labs.grading.worker.bodies import with_names
 from mutants import arguments, operators
 from reference import lecture
 from solutions.domain import Rule, _domains
@@ -64,6 +65,8 @@ NOT_ASKED = (*OF_A_WORLD, "blocks", "boxes_that_meet", "_faces_above", "_stretch
 
 So does `inside_by_parity` where another function calls it: what it makes of rays along edges is for its own checks.
 """
+KINDS = {"edges": int, "pinned": bool}
+"""What the parts of a mesh hold that are no floats."""
 HELPERS = {
     name: getattr(operators, name)
     for name in ("shaped", "always", "never", "without", "alone", "transposed", "diagonal", "rounds")
@@ -241,8 +244,11 @@ def _bare(function: FunctionType) -> ast.FunctionDef:
             argument.annotation = None
         each.body = [line for line in each.body if not _only_checks(line)]
     tree = _Longer().visit(tree)
-    loaded = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load)}
-    tree.body = [line for line in tree.body if not _is_unread(line, loaded)]
+    before = 0
+    while len(tree.body) != before:
+        before = len(tree.body)
+        loaded = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load)}
+        tree.body = [line for line in tree.body if not _is_unread(line, loaded)]
     return tree
 
 
@@ -300,8 +306,11 @@ def _unchecked(name: str, value: Any, rule: Rule) -> Any:
     try:
         return rule(name, value)
     except ValueError:
-        parts = _floats(*value) if isinstance(value, tuple) else ()
-        return type(value)(*parts) if hasattr(value, "_fields") else np.asarray(value, dtype=float)
+        value = with_names(value)
+        if not hasattr(value, "_fields"):
+            return np.asarray(value, dtype=float)
+        parts = zip(value._fields, value, strict=True)
+        return type(value)(*(np.asarray(part, dtype=KINDS.get(field, float)) for field, part in parts))
 
 
 @functools.cache

@@ -147,6 +147,16 @@ def calls(node: ast.expr) -> Wrong:
         case "np.clip", [a, low, high]:
             yield "limit dropped", made("np.minimum({a}, {high})", a=a, high=high)
             yield "limit dropped", made("np.maximum({a}, {low})", a=a, low=low)
+        case "quotient", [a, b, *otherwise]:
+            rest = "".join(f", {text(each)}" for each in otherwise)
+            yield "factor forgotten", a
+            yield from several("factor forgotten", (f"quotient(1.0, {{b}}{rest})",), b=b)
+            yield from several("ratio inverted", (f"quotient({{b}}, {{a}}{rest})",), a=a, b=b)
+            yield from several("product for ratio", ("{a} * {b}",), a=a, b=b)
+        case "direction", [a]:
+            yield "length kept", a
+        case "part_across" | "part_along", [a, _]:
+            yield "part forgotten", a
         case "np.abs", [a]:
             yield "size forgotten", a
         case "np.sqrt", [a]:
