@@ -56,6 +56,7 @@ def time_until_rest(
     flights together are a geometric series:
 
         t₁ + (2 w/|a|) (e + e² + …) = t₁ + (2 w/|a|) e/(1 − e)
+                                    = t₁ + 2 e w/(|a| (1 − e))
 
     For a body that falls from rest t₁ = w/|a|, and the sum is
     t₁ (1 + e)/(1 − e).
@@ -63,6 +64,7 @@ def time_until_rest(
     s = np.maximum(separation, 0.0)
     u, a = normal_velocity, normal_acceleration
     rebound = restitution * _arrival_speed(s, u, a)
+    # |a| is −a, because only a < 0 brings the body back.
     flights = quotient(2 * rebound, -a * (1 - restitution), np.inf)
     flights = np.where(rebound > 0, flights, 0.0)
     until_rest = time_of_impact_exact(s, u, a) + flights
@@ -94,8 +96,8 @@ def bounce_along_normal(
     -------
     separation, normal_velocity : (...), m and m/s, at the end of the step
     impacts : (...), how many
-        Infinity where the body came to rest by bouncing, 0 where it lay on
-        the plane from the start.
+        Infinity where the body came to rest by bouncing, 1 where e = 0 stopped
+        it at its first impact, 0 where it lay on the plane from the start.
     time_left : (...), s
         0 where the step is done. Where the rounds did not suffice, the part of
         the step that remains after the last impact, so that the caller may
@@ -127,7 +129,8 @@ def bounce_along_normal(
         struck = time <= left[moving]
         if not struck.any():
             break
-        moving[moving] = struck  # the others meet the plane no more
+        # Of those that moved, the ones not struck meet the plane no more.
+        moving[moving] = struck
         u[moving] = e[moving] * _arrival_speed(s[moving], u[moving], a[moving])
         s[moving] = 0.0
         left[moving] -= time[struck]
@@ -168,13 +171,19 @@ def bounce_through_step(
     position, velocity : (..., 3) each, m and m/s
         A body that came to rest lies on the plane and continues to slide
         along it.
-    impacts, time_left : (...), as in bounce_along_normal
+    impacts : (...), how many, as in bounce_along_normal
+    time_left : (...), s, as in bounce_along_normal
 
     Notes
     -----
-    The motion along the normal is that of `bounce_along_normal`. Without
-    friction an impact does not change the motion along the plane, which is the
-    free one throughout.
+    Let p_f and v_f be where the body would be without the plane, and how fast,
+    and s_f its separation there. Without friction an impact does not change
+    the motion along the plane, which is the free one throughout. The motion
+    along the normal is that of `bounce_along_normal`, which gives the
+    separation s and the velocity u. So
+
+        p = p_f + (s − s_f) n
+        v = v_f + (u − v_f·n) n
     """
     separation, u, impacts, left = bounce_along_normal(
         signed_distance(position, normal, offset),
@@ -184,11 +193,13 @@ def bounce_through_step(
         dt,
         most_impacts,
     )
-    free, v = ballistic_motion(position, velocity, acceleration, dt - left)
-    lift = separation - signed_distance(free, normal, offset)
+    # The free motion over the time that is done, p_f and v_f
+    p, v = ballistic_motion(position, velocity, acceleration, dt - left)
+    # What the plane adds to it along the normal
+    lift = separation - signed_distance(p, normal, offset)
     kick = u - np.vecdot(v, normal)
-    position = free + lift[..., None] * normal
-    return position, v + kick[..., None] * normal, impacts, left
+    p = p + lift[..., None] * normal
+    return p, v + kick[..., None] * normal, impacts, left
 
 
 def _arrival_speed(

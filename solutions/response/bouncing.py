@@ -61,6 +61,7 @@ def bounce(
     loop that moves first and looks afterwards costs as much, and its apex is
     lower (see the notes of `respond_at_step`).
     """
+    # One entry for every ball, also where all balls start alike
     p, v, *_ = np.broadcast_arrays(
         position,
         velocity,

@@ -51,10 +51,11 @@ def kinematic_response(
     guard: its formula, applied to a body that already moves away, would throw
     the body back in.
 
-    A racket that comes to meet a ball at speed w sends it back with
-    e v + (1 + e) w. The energy of the ball may grow, because the plane does
-    work on it.
+    A racket that meets a ball with the speed W sends a ball of speed V back
+    with e V + (1 + e) W. The energy of the ball may grow, because the plane
+    does work on it.
     """
     relative = velocity - plane_velocity
+    # u·N, or 0 where they do not approach
     approach = np.minimum(np.vecdot(relative, normal), 0.0)
     return velocity - ((1 + restitution) * approach)[..., None] * normal

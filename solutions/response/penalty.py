@@ -120,7 +120,8 @@ def penalty_step_limit(
     -----
     A step of semi-implicit Euler multiplies (x, v) by the matrix
 
-        [[1 − ω²Δt², Δt(1 − 2ζωΔt)], [−ω²Δt, 1 − 2ζωΔt]]
+        [ 1 − ω²Δt²    Δt(1 − 2ζωΔt) ]
+        [ −ω²Δt        1 − 2ζωΔt     ]
 
     Its determinant is 1 − 2ζωΔt and its trace is 2 − ω²Δt² − 2ζωΔt. As Δt
     grows, one eigenvalue reaches −1, and from there on the motion changes its

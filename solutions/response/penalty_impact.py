@@ -64,11 +64,22 @@ def penalty_restitution(
 
     The second form follows with ζ = cos φ and s = sin φ, because 2ζs = sin 2φ
     and 1 − 2ζ² = −cos 2φ. Above ζ = 1 read arcosh(ζ)/√(ζ² − 1) for
-    arccos(ζ)/s; at ζ = 1 both are 1. At this time the velocity x′ of the body
-    has the size v exp(−ζ ω t), so that
+    arccos(ζ)/s; at ζ = 1 both are 1.
+
+    In both cases the velocity x′ of the body has the size v exp(−ζ ω t) at the
+    end of the contact, so that
+
+        e = exp(−ζ ω t)
+
+    with the swept angle
+
+        ω t = 2 arccos(ζ)/s
+        ω t = π/s              with adhesion
+
+    Put in, this gives
 
         e = exp(−2ζ arccos(ζ)/s)
-        e = exp(−πζ/s)    with adhesion
+        e = exp(−πζ/s)           with adhesion
     """
     _, zeta = frequency_and_ratio(mass, stiffness, damping)
     return np.exp(-zeta * _swept_angle(zeta, adhesive))

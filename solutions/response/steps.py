@@ -1,8 +1,4 @@
-"""A step with one collision (slide 6).
-
-A program can back up to the instant of the collision, or respond at a time
-step.
-"""
+"""A step with one collision, at its instant or at a time step (slide 6)."""
 
 from __future__ import annotations
 
@@ -81,7 +77,7 @@ def respond_at_step(
         At the start of the step.
     normal : (..., 3), n, unit, out of the plane
     behind : (...), bool
-        Whether the body is behind the plane, as from `side_of_plane`.
+        Whether the body is behind the plane, as `is_colliding` says.
     restitution : (...), e, 0 to 1
     dt : (...), s, length of the step, not negative
 
@@ -106,8 +102,7 @@ def respond_at_step(
     moves with the whole e v. So its steps rise e v Δt/2 higher than the
     parabola.
 
-    The same loop may do the three things in another order. Both other orders
-    cost as much and err more:
+    Two other loops cost as much and err more:
 
     - Fly exactly over the whole step, then respond: −(1 − e²) v Δt/2. On its
       way into the plane the ball has also gained speed, and the rebound keeps
@@ -116,13 +111,16 @@ def respond_at_step(
       −(1 + e) v Δt/2. The first step of the rebound already loses g Δt, and so
       the steps of the rebound rise e v Δt/2 less than the parabola.
 
-    The order of this function is chosen because its error is the smallest, and
-    because physics engines use it too: they look for contacts, change the
-    velocities and move.
+    The loop of this function looks, responds and moves. It is chosen because
+    its error is the smallest, and because physics engines use it too: they
+    look for contacts, change the velocities and move.
     """
-    answered = kinematic_response(velocity, normal, restitution)
-    start = np.where(behind[..., None], answered, velocity)
+    # The rule has its own guard: a body that moves out keeps its velocity.
+    rebounded = kinematic_response(velocity, normal, restitution)
+    start_velocity = np.where(behind[..., None], rebounded, velocity)
     struck = behind & (np.vecdot(velocity, normal) < 0)
     pressing = np.minimum(np.vecdot(acceleration, normal), 0.0)
-    carried = np.where(struck, pressing, 0.0)[..., None] * normal
-    return semi_implicit_euler(position, start, acceleration - carried, dt)
+    carried_by_plane = np.where(struck, pressing, 0.0)[..., None] * normal
+    return semi_implicit_euler(
+        position, start_velocity, acceleration - carried_by_plane, dt
+    )

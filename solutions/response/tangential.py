@@ -92,7 +92,7 @@ def tangential_spring(
 
 def _into_new_surface(stretch: Array, normal: Array) -> Array:
     """The stretch in the surface of the new normal, as long as before."""
-    along = part_across(stretch, normal)
+    in_surface = part_across(stretch, normal)
     before = np.linalg.norm(stretch, axis=-1, keepdims=True)
-    after = np.linalg.norm(along, axis=-1, keepdims=True)
-    return along * quotient(before, after)
+    after = np.linalg.norm(in_surface, axis=-1, keepdims=True)
+    return in_surface * quotient(before, after)
