@@ -78,7 +78,7 @@ def side_of_plane(
     """
     in_front = separation > tolerance
     behind = separation < -tolerance
-    return in_front.astype(np.int64) - behind
+    return np.where(in_front, 1, np.where(behind, -1, 0))
 
 
 @domain

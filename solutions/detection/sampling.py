@@ -1,8 +1,4 @@
-"""What a test at the ends of steps does not see (slides 2 and 9).
-
-The functions say when within a step a ball overlaps a slab, how many balls a
-test at each step misses, and how many substeps miss none.
-"""
+"""What a test at the ends of steps sees of a collision (slides 2 and 9)."""
 
 from __future__ import annotations
 
@@ -60,11 +56,12 @@ def overlap_interval(
     """
     x, u, r, w = distance, normal_velocity, radius, thickness
     inside = (-(w + r) <= x) & (x <= r)
+    # When the centre is r before the front face and r behind the back face.
     # A ball with u = 0 overlaps from −∞ to ∞, or at no time.
-    at_front = quotient(r - x, u, np.where(inside, np.inf, -np.inf))
-    at_back = quotient(-(w + r) - x, u, -np.inf)
-    start = np.maximum(np.minimum(at_front, at_back), 0.0)
-    end = np.minimum(np.maximum(at_front, at_back), dt)
+    time_at_front = quotient(r - x, u, np.where(inside, np.inf, -np.inf))
+    time_at_back = quotient(-(w + r) - x, u, -np.inf)
+    start = np.maximum(np.minimum(time_at_front, time_at_back), 0.0)
+    end = np.minimum(np.maximum(time_at_front, time_at_back), dt)
     meets = start <= end
     return np.where(meets, start, np.inf), np.where(meets, end, -np.inf)
 
@@ -97,8 +94,10 @@ def missing_probability(
     A ball overlaps the wall while its centre travels a distance of w + 2r, and
     it moves v Δt between two tests. As every phase of the tests is equally
     likely, a test falls within the overlap with the probability
-    (w + 2r)/(v Δt), and certainly where this ratio exceeds 1. The share that
-    is missed is
+
+        (w + 2r)/(v Δt)
+
+    and certainly where this ratio exceeds 1. The share that is missed is
 
         P = max(0, 1 − (w + 2r)/(v Δt))
 
@@ -106,5 +105,6 @@ def missing_probability(
     balls an engine then turns back is a different question.
     """
     overlap = thickness + 2 * radius
-    way = speed * dt
-    return np.maximum(0.0, 1 - quotient(overlap, way, 1.0))
+    moved = speed * dt
+    # A ball that does not move is never missed.
+    return np.maximum(0.0, 1 - quotient(overlap, moved, 1.0))

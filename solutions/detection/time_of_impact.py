@@ -17,16 +17,16 @@ def time_of_impact_interpolated(
 
     Parameters
     ----------
-    separation_0 : (...), m, at the start of the step, not negative
+    separation_0 : (...), s0, m, at the start of the step, not negative
         For a body that was left on the plane and that rounding put just behind
         it, pass 0.
-    separation_1 : (...), m, at the end of the step
+    separation_1 : (...), s1, m, at the end of the step
     t : (...), s, start of the step
-    dt : (...), s, length of the step, not negative
+    dt : (...), Δt, s, length of the step, not negative
 
     Returns
     -------
-    (...), s
+    (...), T, s
         Infinity where the step does not end behind the plane. A point that
         starts on the plane and goes through it has T = t. A point that starts
         behind the plane met it in an earlier step and gets infinity.
@@ -40,6 +40,8 @@ def time_of_impact_interpolated(
 
     The slide writes T = t + Δt d1/(d1 + d2) with the magnitudes d1 and d2.
     With signed distances, d1 = s0 and d2 = −s1, which gives the same formula.
+    A point crosses the plane if s0 ≥ 0 and s1 < 0. Here s0 = 0 counts as in
+    front, so that a point left exactly on the plane does not tunnel.
 
     Under gravity the true path is a parabola, and the straight line between
     its two ends lies below it by up to g Δt²/8. The line therefore meets the
@@ -99,11 +101,13 @@ def time_of_impact_exact(
     """
     s = np.maximum(separation, 0.0)
     u, a = normal_velocity, normal_acceleration
-    # Below zero where the body turns round before it reaches the plane
-    squared = u * u - 2 * a * s
-    root = np.sqrt(np.maximum(squared, 0.0))
+    # The square of the speed of arrival. Where it is below zero, the body
+    # turns round before it reaches the plane.
+    arrival_squared = u * u - 2 * a * s
+    root = np.sqrt(np.maximum(arrival_squared, 0.0))
     rising = u >= 0
     numerator = np.where(rising, u + root, 2 * s)
     denominator = np.where(rising, -a, root - u)
-    arrives = (squared >= 0) & (denominator > 0)
+    arrives = (arrival_squared >= 0) & (denominator > 0)
+    # Where it never arrives, a divisor of 0 makes the time infinite.
     return quotient(numerator, np.where(arrives, denominator, 0.0), np.inf)

@@ -53,25 +53,28 @@ def count_impacts(
     it the clock runs on by dt while the puck has moved for a part of dt: half
     a step is lost at each impact, on average.
 
-    Reflections unfold: let the puck go straight on, through copies of the
+    A check without a loop: let the puck go straight on, through copies of the
     strip between the walls laid side by side. After the time t it is at
     y = x + v t. It has hit a wall for each multiple of length that it has
     passed, and every second copy of the strip is a mirror image.
     """
     x, v = float(position), float(velocity)
-    end, step = float(length), float(dt)
-    require(0 <= x <= end, f"position must be from 0 to {end:g}, not {x:g}")
+    far_wall = float(length)
+    step = float(dt)
+    rule = f"position must be from 0 to {far_wall:g}, not {x:g}"
+    require(0 <= x <= far_wall, rule)
     count = 0
     if v == 0:
         return count, x
     for _ in range(round(float(duration) / step)):
         remaining = step
         while True:
-            wall = end if v > 0 else 0.0
-            arrives = (wall - x) / v  # s from now
-            if arrives > remaining:
+            wall = far_wall if v > 0 else 0.0
+            time_to_wall = (wall - x) / v
+            if time_to_wall > remaining:
                 break
-            x, v, count = wall, -v, count + 1
-            remaining -= arrives
+            x, v = wall, -v
+            count += 1
+            remaining -= time_to_wall
         x += v * remaining
     return count, x

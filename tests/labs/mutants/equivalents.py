@@ -36,12 +36,6 @@ POSITIVE_PARTS = tuple(f"{part} of mesh: size for it" for part in ("rest_length"
 ANY_NEGATIVE = "NumPy takes any negative number for the length that is left over."
 
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
-    "side_of_plane": {
-        NOT_NEGATIVE: (
-            "size for it: … → np.abs(in_front.astype(np.int64)) - behind",
-            "size for it: … → in_front.astype(np.int64) - np.abs(behind)",
-        ),
-    },
     "time_of_impact_interpolated": {
         "Only a separation that is positive at the start crosses zero.": (
             "size for it: separation_0 - separation_1 → np.abs(separation_0) - separation_1",
@@ -54,7 +48,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: u + root → np.abs(u) + root",
         ),
         "The root of a negative number is not used.": (
-            "limit dropped: np.maximum(squared, 0.0) → shaped(squared, 0.0)",
+            "limit dropped: np.maximum(arrival_squared, 0.0) → shaped(arrival_squared, 0.0)",
         ),
         "By zero the quotient is infinite as well.": ("boundary: denominator > 0 → denominator >= 0",),
         NOT_NEGATIVE: (

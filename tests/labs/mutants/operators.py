@@ -19,11 +19,11 @@ OTHER_FUNCTIONS = {
     "np.minimum": ("np.maximum",), "np.maximum": ("np.minimum",), "np.floor": ("np.ceil", "np.round"),
     "np.arctan": ("np.tan", "np.sin", "np.cos"), "np.max": ("np.min",),
 }  # fmt: skip
-TWINS = (("a", "b"), ("COLLIDING", "SEPARATING"), ("s0", "s1"), ("at_front", "at_back"), ("start", "end"),
+TWINS = (("a", "b"), ("COLLIDING", "SEPARATING"), ("s0", "s1"), ("time_at_front", "time_at_back"), ("start", "end"),
          ("first", "last"), ("rebound", "slowing"), ("press", "press_rate"), ("f", "rate"), ("force", "rate"),
          ("grip", "slip"), ("leaves", "lifts"), ("before", "dt"), ("first", "rest"), ("x", "y"),
          ("before", "time"), ("velocity", "angular_velocity"), ("momentum", "angular_momentum"),
-         ("v", "w"), ("v", "omega"), ("v", "spin"), ("remaining", "dt"), ("remaining", "arrives"),
+         ("v", "w"), ("v", "omega"), ("v", "spin"), ("remaining", "dt"), ("remaining", "time_to_wall"),
          ("dt", "duration"), ("x", "wall"))  # fmt: skip
 """Names that are mistaken for one another, besides those that differ in their ending alone."""
 ENDINGS = (("_a", "_b"), ("_0", "_1"), ("_x", "_y"), ("_static", "_kinetic"))
