@@ -53,12 +53,13 @@ def friction_force(
     static_friction: FiniteNotNegative,
     kinetic_friction: FiniteNotNegative,
 ) -> Array:
-    """Friction on a body that slides, is held at rest, or starts to slide.
+    """Friction on a body that slides, is held or starts to slide (slide 24).
 
     Parameters
     ----------
     push : (..., 3), sum of the other forces along the surface, N
-    tangent_velocity : (..., 3), along the surface and relative to it, m/s
+    tangent_velocity : (..., 3), v_t, along the surface, m/s
+        Relative to the surface.
     normal_force : (...), N, in newtons, not negative
     static_friction, kinetic_friction : (...), μ_s ≥ μ_k ≥ 0
 
@@ -74,13 +75,29 @@ def friction_force(
     ------
     ValueError
         If μ_k is above μ_s.
+
+    Notes
+    -----
+    The slide's F_k = μ_k F_N and F_s = μ_s F_N give no direction, and the
+    second is only the maximum of static friction. A body that slides has
+
+        F = −μ_k N v_t/‖v_t‖
+
+    A body at rest is held while ‖push‖ ≤ μ_s N (see `holds`):
+
+        F = −push
+
+    Beyond that it starts to slide along the push:
+
+        F = −μ_k N push/‖push‖
     """
     rule = "static_friction must not be less than kinetic_friction"
     require(static_friction >= kinetic_friction, rule)
     slides = np.linalg.norm(tangent_velocity, axis=-1) > 0
     held = ~slides & holds(push, normal_force, static_friction)
-    way = np.where(slides[..., None], tangent_velocity, push)
-    kinetic = (kinetic_friction * normal_force)[..., None] * direction(way)
+    motion_or_push = np.where(slides[..., None], tangent_velocity, push)
+    kinetic_size = (kinetic_friction * normal_force)[..., None]
+    kinetic = kinetic_size * direction(motion_or_push)
     return np.where(held[..., None], -push, -kinetic)
 
 
@@ -142,13 +159,16 @@ def sliding_motion(
     a = acceleration(v)
     speed_squared = np.vecdot(v, v)
     braking = -np.vecdot(v, a)
+    # t ≤ Δt, multiplied by −v·a
     stops = (speed_squared > 0) & (speed_squared <= braking * dt)
-    braking = np.where(stops, braking, 0.0)
-    stopping_time = quotient(speed_squared, braking, np.inf)
-    sliding = np.minimum(stopping_time, dt)[..., None]
-    p = position + v * sliding + a * sliding * sliding / 2
-    v = np.where(stops[..., None], 0.0, v + a * sliding)
-    remaining = dt[..., None] - sliding
+    # Where the body does not stop, a divisor of 0 makes the time infinite.
+    divisor = np.where(stops, braking, 0.0)
+    stopping_time = quotient(speed_squared, divisor, np.inf)
+    sliding_time = np.minimum(stopping_time, dt)[..., None]
+    p = position + v * sliding_time + a * sliding_time * sliding_time / 2
+    v = np.where(stops[..., None], 0.0, v + a * sliding_time)
+    # From here on v = 0, or nothing remains of the step.
+    remaining = dt[..., None] - sliding_time
     a = np.where(stops[..., None], acceleration(v), 0.0)
     p = p + a * remaining * remaining / 2
     return p, v + a * remaining, stopping_time

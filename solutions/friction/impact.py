@@ -59,8 +59,10 @@ def point_inverse_mass(
     Write r × as the matrix [r×], whose transpose is −[r×]. The last product is
     −[r×] I⁻¹ [r×] J, and the whole change is K J with
 
-        K = 1/m − [r×] I⁻¹ [r×]
-          = 1/m + [r×] I⁻¹ [r×]ᵀ
+        K = (1/m) 1 − [r×] I⁻¹ [r×]
+          = (1/m) 1 + [r×] I⁻¹ [r×]ᵀ
+
+    where the single 1 is the unit matrix.
 
     Along the normal alone, n·K n is `inverse_effective_mass`, which the
     lecture derives term by term. The two functions are independent so that
@@ -129,30 +131,34 @@ def friction_impulse(
 
     For a sphere, d is opposed to the slip. In the plane, d is always opposed
     to the slip that is left. In space, with a K that couples the directions,
-    it is only near that: for odd bodies it is 6° off in the median and 68° at
-    worst.
+    it is only near that: for bodies of random shape it is 6° off in the median
+    and 68° at worst.
 
     The impact is one instant, and a slip that stops and turns round within it
     is not followed. The energy may therefore rise, as it may wherever Newton's
     restitution meets Coulomb's friction (see `impact_energy`). It does so in
-    about one of a thousand random impacts of two odd bodies, at worst by more
-    energy than the contact had. In exchange the points always part at e times
-    the speed of their approach, and friction opposes the slip that is left, as
-    nearly as said above. `dissipative_impulse` gives up the second, and
-    `poisson_impulse` and `stronge_impulse` give up the first: none of the
-    three adds energy.
+    about one of a thousand random impacts of two bodies of random shape, at
+    worst by more energy than the contact had. In exchange the points always
+    part at e times the speed of their approach, and friction opposes the slip
+    that is left, as nearly as said above. `dissipative_impulse` gives up the
+    second, and `poisson_impulse` and `stronge_impulse` give up the first: none
+    of the three adds energy.
     """
-    n, e = normal, restitution
+    k = inverse_mass  # the matrix K
+    n, e, mu = normal, restitution, friction
     approach = np.vecdot(velocity, n)
-    change = -velocity - (e * approach)[..., None] * n
-    grip = np.linalg.solve(inverse_mass, change[..., None])[..., 0]
-    tangent = part_across(grip, n)
-    size = np.linalg.norm(tangent, axis=-1)
-    sticks = size <= friction * np.vecdot(grip, n)
-    edge = n + quotient(friction[..., None] * tangent, size[..., None])
-    gained = np.vecdot(n, np.matvec(inverse_mass, edge))
-    j = quotient(-(1 + e) * approach, gained)  # gained > 0 where it slips
-    impulse = np.where(sticks[..., None], grip, j[..., None] * edge)
+    grip_change = -velocity - (e * approach)[..., None] * n
+    grip = np.linalg.solve(k, grip_change[..., None])[..., 0]
+    grip_tangent = part_across(grip, n)  # J_t
+    tangent_size = np.linalg.norm(grip_tangent, axis=-1)
+    grips = tangent_size <= mu * np.vecdot(grip, n)
+    # n + μ d, an impulse on the cone
+    on_cone = n + quotient(
+        mu[..., None] * grip_tangent, tangent_size[..., None]
+    )
+    gain = np.vecdot(n, np.matvec(k, on_cone))
+    j = quotient(-(1 + e) * approach, gain)  # gain > 0 where it slips
+    impulse = np.where(grips[..., None], grip, j[..., None] * on_cone)
     return np.where((approach < 0)[..., None], impulse, 0.0)
 
 
@@ -221,7 +227,7 @@ def sphere_impact(
     inertia are both proportional to the mass, so that the mass drops out.
     """
     arm = -radius[..., None] * normal
-    inertia = (inertia_share * radius**2)[..., None]
+    inertia = (inertia_share * radius**2)[..., None]  # per mass
     k = point_inverse_mass(1.0, np.eye(3) / inertia[..., None], arm)
     u = velocity + np.cross(angular_velocity, arm)
     impulse = friction_impulse(u, normal, k, restitution, friction)

@@ -43,11 +43,18 @@ TINY = 1e-300
 class Course:
     """Impacts under way: N contacts with what each has given so far.
 
-    start: (N, 3), u before the impact, m/s. k: (N, 3, 3), K, 1/kg. mu: (N,),
-    μ. impulse: (N, 3), J so far, N s. work: (N,), of the normal force so far,
-    J. smallest: (N,), a slip below it has stopped, m/s. accepted: (N,), error
-    of a step at most, m/s. rate: (N,), no velocity changes by more for a unit
-    of normal impulse, 1/kg. step: (N,), how long the next step may be, N s.
+    Attributes
+    ----------
+    start : (N, 3), u before the impact, m/s
+    k : (N, 3, 3), K, 1/kg
+    mu : (N,), μ
+    impulse : (N, 3), J so far, N s
+    work : (N,), of the normal force so far, J
+    smallest : (N,), a slip below it has stopped, m/s
+    accepted : (N,), error of a step at most, m/s
+    rate : (N,), 1/kg
+        For a unit of normal impulse no velocity changes by more.
+    step : (N,), how long the next step may be, N s
     """
 
     def __init__(self, start: Array, k: Array, mu: Array) -> None:
@@ -73,7 +80,7 @@ def follow(course: Course, end: End, target: Array) -> None:
     ----------
     course : Course, N impacts, which are taken further
     end : str, what is to reach the target: "speed", "impulse" or "work"
-    target : (N,), u_n, m/s, J_n, N s, or the work of J_n, J
+    target : (N,), u_n (m/s), J_n (N s) or the work of J_n (J)
 
     Notes
     -----
@@ -240,9 +247,16 @@ def _leg(
 ) -> Booleans:
     """Advance in a straight leg to the end, or to where the slip stops.
 
-    speed: (n,), u_n, m/s. push: (n, 3), impulse per normal impulse. gain:
-    (n,), what a unit of normal impulse adds to u_n, 1/kg. stop: (n,), the
-    normal impulse after which the slip stops, N s. Returns which have ended.
+    Parameters
+    ----------
+    speed : (n,), u_n, m/s
+    push : (n, 3), impulse per normal impulse
+    gain : (n,), what a unit of normal impulse adds to u_n, 1/kg
+    stop : (n,), the normal impulse after which the slip stops, N s
+
+    Returns
+    -------
+    (n,), bool, which have ended
     """
     impulse, work = course.impulse[on], course.work[on]
     left = target - _reached(course, on, impulse, work, end)
@@ -270,9 +284,17 @@ def _steps(
 ) -> Booleans:
     """Advance by a step of a slip that turns, or by its part up to the end.
 
-    longest: (n,), how long a step may be, as a normal impulse, N s. accepted:
-    (n,), how wrong it may be, m/s. A step that is not accurate enough is not
-    taken, and the next one is shorter. Returns which have ended.
+    A step that is not accurate enough is not taken, and the next one is
+    shorter.
+
+    Parameters
+    ----------
+    longest : (n,), how long a step may be, as a normal impulse, N s
+    accepted : (n,), how wrong it may be, m/s
+
+    Returns
+    -------
+    (n,), bool, which have ended
     """
     step = np.minimum(course.step[on], longest)
     impulse, work, error = _double_step(course, on, step)
@@ -309,8 +331,9 @@ def _part_of_step(
         guess = part - off / np.where(gain > 0, gain, TINY)
         inside = (guess > low) & (guess < high)
         guess = np.where(inside, guess, (low + high) / 2)
-        moved, part = np.abs(guess - part), guess
-        if np.all(moved <= CLOSE * step):
+        correction = np.abs(guess - part)
+        part = guess
+        if np.all(correction <= CLOSE * step):
             break
     return part
 

@@ -84,7 +84,7 @@ def dissipative_impulse(
 
            R = μ (c − R a·d) = μ c/(1 + μ a·d)
 
-       There is no edge that way if the denominator is not positive. Let m be
+       There is no edge along d if the denominator is not positive. Let m be
        the least energy along this ray. The energy is convex and the cone is
        convex, so that m falls and then rises as d turns through the directions
        that lead downhill. Dividing the angle between a direction where m falls
@@ -232,8 +232,11 @@ def stronge_impulse(
 class _Approaching:
     """The contacts of a batch whose bodies approach, along their own axes.
 
-    u: (n, 3), velocities before the impact, m/s. k: (n, 3, 3), K, 1/kg. e, mu:
-    (n,), e and μ.
+    Attributes
+    ----------
+    u : (n, 3), velocities before the impact, m/s
+    k : (n, 3, 3), K, 1/kg
+    e, mu : (n,), e and μ
     """
 
     def __init__(
@@ -293,9 +296,13 @@ def _least_energy_on_the_edge(
     It lies between two directions. Each search looks at directions between
     them, and continues from the last to which the energy still falls.
 
-    reach: (n,), μ c. lean: (n, 2), μ a. downhill: (n, 2), a u_n − u_t, down
-    which the energy falls from the impulse without friction. curvature:
-    (n, 2, 2), K_tt − a K_nt.
+    Parameters
+    ----------
+    reach : (n,), μ c
+    lean : (n, 2), μ a
+    downhill : (n, 2), a u_n − u_t
+        Down which the energy falls from the impulse without friction.
+    curvature : (n, 2, 2), K_tt − a K_nt
     """
     if not len(reach):
         return downhill
@@ -326,5 +333,5 @@ def _on_the_edge(
     along = np.minimum(edge, bottom)[..., None] * d
     slope = np.matvec(curvature, along) - downhill
     grows = np.where(edge < bottom, np.vecdot(lean, turned) / opening, 0.0)
-    way = turned - grows[..., None] * d
-    return along, np.vecdot(slope, way) < 0
+    along_edge = turned - grows[..., None] * d
+    return along, np.vecdot(slope, along_edge) < 0

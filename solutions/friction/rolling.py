@@ -77,5 +77,5 @@ def roll_step(
     arm = -radius[..., None] * UP
     slip = velocity + np.cross(spin, arm)
     impulse = clamp_to_circle(-2 / 7 * slip, friction * gravity * dt)
-    inertia = (2 / 5 * radius**2)[..., None]
+    inertia = (2 / 5 * radius**2)[..., None]  # per mass
     return velocity + impulse, spin + np.cross(arm, impulse) / inertia

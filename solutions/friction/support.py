@@ -100,7 +100,14 @@ def break_away_time(
     Notes
     -----
     Split the force into its part along the surface, F_t + F_t' t, and the
-    normal force, N + N' t. Static friction holds the body while
+    normal force, N + N' t:
+
+        N = −F·n
+        N' = −F'·n
+        F_t = F − (F·n) n
+        F_t' = F' − (F'·n) n
+
+    Static friction holds the body while
 
         ‖F_t + F_t' t‖ ≤ μ_s (N + N' t)
 
@@ -112,18 +119,19 @@ def break_away_time(
         b = F_t·F_t' − μ² N N'
         c = F_t² − μ² N²
 
-    It fails from the larger root on, which has two forms. Each is used where
-    it subtracts no two nearly equal numbers:
+    The discriminant is written as
+
+        b² − a c = μ² ‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖²
+
+    which loses no digits where N and F_t end almost together. The condition
+    fails from the larger root on, which has two forms. Each is used where it
+    subtracts no two nearly equal numbers:
 
         t = −c/(b + √(b² − a c))     where b > 0
         t = (√(b² − a c) − b)/a      where b ≤ 0 and a > 0
 
-    The code writes the discriminant as
-
-        b² − a c = μ² ‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖²
-
-    which loses no digits where N and F_t end almost together. Apart from this,
-    the body lifts off where N + N' t = 0, at t = −N/N' if N' < 0.
+    Apart from this, the body lifts off where N + N' t = 0, at t = −N/N' if
+    N' < 0.
     """
     mu = static_friction
     press = -np.vecdot(force, normal)
@@ -135,10 +143,11 @@ def break_away_time(
     b = np.vecdot(along, along_rate) - mu**2 * press * press_rate
     # At the limit of `holds`, rounding may make c positive.
     c = np.minimum(0.0, np.vecdot(along, along) - (mu * press) ** 2)
+    # N F_t' − N' F_t and F_t × F_t'
     spread = press[..., None] * along_rate - press_rate[..., None] * along
     turn = np.cross(along, along_rate)
-    squared = mu**2 * np.vecdot(spread, spread) - np.vecdot(turn, turn)
-    root = np.sqrt(np.maximum(0.0, squared))
+    discriminant = mu**2 * np.vecdot(spread, spread) - np.vecdot(turn, turn)
+    root = np.sqrt(np.maximum(0.0, discriminant))
     slides = np.where(
         b > 0,
         quotient(-c, b + root),

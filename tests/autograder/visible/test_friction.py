@@ -50,6 +50,8 @@ def test_friction_opposes_sliding_and_holds_what_it_can(submission, part, exampl
         expect(submission.friction_force, (REST, [3, -4, 0], 10.0, 0.75, 0.5), [-3.0, 4.0, 0.0])
         for slow in (1e-6, 1e-15):  # no threshold is right for both, and the square of the speed is no zero in float32
             expect(submission.friction_force, (REST, [3 * slow, -4 * slow, 0], 10.0, 0.75, 0.5), [-3.0, 4.0, 0.0])
+        expect(submission.friction_force, (REST, [0, 4, 0], 10.0, 0.75, 0.5), [0.0, -5.0, 0.0])
+        expect(submission.friction_force, (REST, [0, 0, -4], 10.0, 0.75, 0.5), [0.0, 0.0, 5.0])
         expect(submission.friction_force, ([4, 1, 0], [1, -2, 2], 12.0, 0.75, 0.5), [-2.0, 4.0, -4.0])
     with part(1, "it is held, and it gives way"):
         expect(submission.friction_force, ([3, 1, 0], REST, 10.0, 0.75, 0.5), [-3.0, -1.0, 0.0])
@@ -92,9 +94,9 @@ def test_a_sliding_body_stops_and_does_not_turn_round(submission, part):
         found = ([3, -6, 7], REST, 2.0)  # at its very end
         expect(submission.sliding_motion, (START, [2, -4, 4], REST, 12.0, 0.5, 0.5, 2.0, 2.0), found)
     with part(1, "both in one call"):
-        found = ([[2.5, 0, 0], [1, 0, 0]], [[2, 0, 0], REST], [INFINITY, 1.0])
+        found = ([[0, 2.5, 0], [0, 0, 1]], [[0, 2, 0], REST], [INFINITY, 1.0])
         expect(
-            submission.sliding_motion, (REST, [[3, 0, 0], [2, 0, 0]], REST, 10.0, 0.5, 0.2, [2.0, 1.0],
+            submission.sliding_motion, (REST, [[0, 3, 0], [0, 0, 2]], REST, 10.0, 0.5, 0.2, [2.0, 1.0],
             [1.0, 4.0]), found
         )  # fmt: skip
 

@@ -94,9 +94,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "sliding_motion": {
-        NOT_NEGATIVE: ("size for it: dt[..., None] - sliding → …", "size for it: (p, … np.abs(stopping_time))"),
+        NOT_NEGATIVE: ("size for it: dt[..., None] - sliding_time → …", "size for it: (p, … np.abs(stopping_time))"),
         "At the stop v + a t is zero, except for rounding.": (
-            "branch dropped: np.where(stops[..., None], 0.0, v + a * sliding) → shaped(v + a * sliding…",
+            "branch dropped: np.where(stops[..., None], 0.0, v + a * sliding_time) → shaped(v + a * sliding_time…",
         ),
         "Where the body does not stop, nothing is left of the step.": (
             "branch dropped: np.where(stops[..., None], acceleration(v), 0.0) → shaped(acceleration…",
@@ -131,7 +131,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "What is held is within the limit, except for rounding.": (
             "limit dropped: np.minimum(0.0, np.vecdot(along, along) - … → shaped(np.vecdot…",
         ),
-        ROUNDING: ("limit dropped: np.maximum(0.0, squared) → shaped(squared, 0.0)",),
+        ROUNDING: ("limit dropped: np.maximum(0.0, discriminant) → shaped(discriminant, 0.0)",),
     },
     "propagate_impacts": {
         "Only the ratios of the masses count.": ("mass: sign flipped",),
