@@ -101,8 +101,9 @@ def make_bodies(
     shapes : n shapes, as `solutions.world.shapes` describes them
     mass : (n,), kg; infinity for an immovable body
     moments : (n, 3), principal moments about the body's own axes, kg m²
-        `mass_properties` gives those of a solid body; others may be given as well.
-        Those of an immovable body are taken as infinite, whatever they are.
+        `mass_properties` gives those of a solid body; others may be given as
+        well. Those of an immovable body are taken as infinite, whatever they
+        are.
     restitution, friction : (k, k) or one number, e and μ of each two materials
         The friction is kinetic.
     static_friction : (k, k) or one number; the same as friction if it is not given
@@ -117,12 +118,13 @@ def make_bodies(
     Raises
     ------
     ValueError
-        If a mass is not positive, a moment is negative, a restitution is not from 0 to
-        1, a friction is negative or infinite, static friction is below kinetic
-        friction, a table is not symmetric, a material or a group is not a whole number,
-        a half-space has a finite mass, there is no such shape, or the shapes of the
-        arrays do not fit. If a moment exceeds the sum of the two others, or the centre
-        of mass of a polyhedron that can be moved is not its origin.
+        If a mass is not positive, a moment is negative, a restitution is not
+        from 0 to 1, a friction is negative or infinite, static friction is
+        below kinetic friction, a table is not symmetric, a material or a group
+        is not a whole number, a half-space has a finite mass, there is no such
+        shape, or the shapes of the arrays do not fit. If a moment exceeds the
+        sum of the two others, or the centre of mass of a polyhedron that can
+        be moved is not its origin.
     """
     count = len(shapes)
     masses = of_shape("mass", positive("mass", mass), (count,))
@@ -182,8 +184,8 @@ def make_bodies(
 def _refuse_impossible(moments: Array) -> None:
     """Refuse moments (n, 3) of which one exceeds the sum of the two others.
 
-    I_x + I_y − I_z is 2 ∫ z² dm, which no distribution of mass makes negative. About an
-    axis with an infinite moment something else holds the body.
+    I_x + I_y − I_z is 2 ∫ z² dm, which no distribution of mass makes negative.
+    About an axis with an infinite moment something else holds the body.
     """
     total, largest = np.sum(moments, axis=-1), np.max(moments, axis=-1)
     wrong = np.isfinite(total) & (2 * largest > total * (1 + ROUNDING))
@@ -258,8 +260,8 @@ def make_state(
     Raises
     ------
     ValueError
-        If something is not finite, a quaternion does not have length 1, or the shapes
-        do not fit.
+        If something is not finite, a quaternion does not have length 1, or the
+        shapes do not fit.
     """
     places = finite("position", vector("position", position))
     if places.ndim != 2:

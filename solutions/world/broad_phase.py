@@ -26,17 +26,18 @@ def pairs_in_grid(
 ) -> Integers:
     """All pairs of boxes along the axes that overlap, each once.
 
-    This is the broad phase. It does not look at all pairs, so it is fast for many
-    boxes. Bodies whose boxes do not overlap cannot touch, so the narrow phase looks at
-    these pairs alone.
+    This is the broad phase. It does not look at all pairs, so it is fast for
+    many boxes. Bodies whose boxes do not overlap cannot touch, so the narrow
+    phase looks at these pairs alone.
 
     Parameters
     ----------
     lower, upper : (n, 3), opposite corners of the boxes, m
-        A box may have no end, as that of a half-space: its corners are infinite there.
+        A box may have no end, as that of a half-space: its corners are
+        infinite there.
     group : (n,), integers, optional
-        Only boxes of the same group are compared. So many scenes that do not know of
-        one another are searched at once.
+        Only boxes of the same group are compared. So many scenes that do not
+        know of one another are searched at once.
 
     Returns
     -------
@@ -46,39 +47,42 @@ def pairs_in_grid(
     Raises
     ------
     ValueError
-        If a coordinate is NaN, a lower corner is above an upper one, both are the same
-        infinity, or an array has another shape.
+        If a coordinate is NaN, a lower corner is above an upper one, both are
+        the same infinity, or an array has another shape.
 
     Notes
     -----
-    Seen from above, the boxes stand in the square columns of a grid. No box is wider
-    than a column, and each box belongs to the column in which its lower corner lies. So
-    two boxes that overlap belong to the same column or to two columns that are next to
-    each other, across a corner included.
+    Seen from above, the boxes stand in the square columns of a grid. No box is
+    wider than a column, and each box belongs to the column in which its lower
+    corner lies. So two boxes that overlap belong to the same column or to two
+    columns that are next to each other, across a corner included.
 
-    All boxes are sorted by the height at which they begin. If two boxes overlap, one of
-    them begins between the bottom and the top of the other. So each box looks into nine
-    columns, its own and the eight around it, for the boxes that begin above its own
-    bottom and not above its own top. In each sorted column these boxes follow one
-    another, and two binary searches find the first and the last of them. They overlap
-    the box in height; the other two axes remain to be compared. Every pair is found
-    once, by the box that begins lower.
+    All boxes are sorted by the height at which they begin. If two boxes
+    overlap, one of them begins between the bottom and the top of the other. So
+    each box looks into nine columns, its own and the eight around it, for the
+    boxes that begin above its own bottom and not above its own top. In each
+    sorted column these boxes follow one another, and two binary searches find
+    the first and the last of them. They overlap the box in height; the other
+    two axes remain to be compared. Every pair is found once, by the box that
+    begins lower.
 
-    One grid does not serve boxes of very different sizes: in columns as wide as the
-    largest, a small box would look at too many others. So there is a grid for each
-    size: the usual width, twice as much, four times as much and so on. In the grid of
-    its own size, a box is compared with the boxes of that size and with all smaller
-    ones. The grid for boxes without end is a single column.
+    One grid does not serve boxes of very different sizes: in columns as wide
+    as the largest, a small box would look at too many others. So there is a
+    grid for each size: the usual width, twice as much, four times as much and
+    so on. In the grid of its own size, a box is compared with the boxes of
+    that size and with all smaller ones. The grid for boxes without end is a
+    single column.
 
-    Sorting n boxes and searching among them takes a time that grows like n log n. The
-    rest grows like the number of boxes that are looked at. That is proportional to n,
-    as long as no place becomes more crowded.
+    Sorting n boxes and searching among them takes a time that grows like n log
+    n. The rest grows like the number of boxes that are looked at. That is
+    proportional to n, as long as no place becomes more crowded.
     """
     low, high = _corners(lower, upper)
     if len(low) <= FEW:
         return _each_with_each(low, high, _named(group, len(low)))
     scene, is_small = _scenes(group, len(low))
-    # From here on the boxes are sorted and numbered by the height at which they begin.
+    # From here on the boxes are sorted and numbered by the height at which
+    # they begin.
     order = np.argsort(low[:, 2])
     low, high, scene = low[order], high[order], scene[order]
     end = np.searchsorted(low[:, 2], high[:, 2], "right")
@@ -179,8 +183,8 @@ def _columns(
 ) -> tuple[Integers, Integers]:
     """Sort boxes into columns; those of different groups are never next to each other.
 
-    Rounding errors are smaller than the spare part of a column, so they do not separate
-    boxes that overlap by two columns.
+    Rounding errors are smaller than the spare part of a column, so they do not
+    separate boxes that overlap by two columns.
 
     Returns
     -------
@@ -212,9 +216,9 @@ def _beginning_within(
 ) -> Integers:
     """Pairs (2, p) of one box and another that begins between its bottom and its top.
 
-    around: (k, ones), the columns into which each one looks. column: that of each
-    other; the others are sorted by column, and by height in each. end: of every box,
-    the number of the first box that begins above its top.
+    around: (k, ones), the columns into which each one looks. column: that of
+    each other; the others are sorted by column, and by height in each. end: of
+    every box, the number of the first box that begins above its top.
     """
     count = len(end)
     queue = column * count + other

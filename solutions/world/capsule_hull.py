@@ -12,7 +12,7 @@ from solutions.world.edge_contacts import EDGES_PARALLEL
 from solutions.world.hull_pairs import BIAS
 from solutions.world.hulls import Hull, hull_of
 from solutions.world.segments import ends_of, nearest_on_segments
-from solutions.world.shapes import Found, Placed
+from solutions.world.shapes import Placed, Touching
 from solutions.world.vectors import cross
 
 ON_SURFACE = 1e-9
@@ -37,23 +37,23 @@ class Nearest(NamedTuple):
     core: Array
 
 
-def capsule_hull(a: Placed, b: Placed, margin: float) -> Found:
+def capsule_hull(a: Placed, b: Placed, margin: float) -> Touching:
     """Where capsules, or spheres, touch boxes or polyhedra.
 
-    The features 0 and 1 are the ends of the part of a core that is over a face, in the
-    sense of the capsule's axis. Where the core is nearest to an edge or a vertex, that
-    place is feature 2.
+    The features 0 and 1 are the ends of the part of a core that is over a
+    face, in the sense of the capsule's axis. Where the core is nearest to an
+    edge or a vertex, that place is feature 2.
 
     Notes
     -----
-    A core that is outside has a nearest place. The core of a capsule that lies on a
-    face has many of them. A face counts as nearest if no part of the core is less in
-    front of it than the core is away from the hull, and if a place over the face is no
-    farther away; both except for `BIAS`. Then the part of the core over the face
-    touches with both of its ends.
+    A core that is outside has a nearest place. The core of a capsule that lies
+    on a face has many of them. A face counts as nearest if no part of the core
+    is less in front of it than the core is away from the hull, and if a place
+    over the face is no farther away; both except for `BIAS`. Then the part of
+    the core over the face touches with both of its ends.
 
-    A core that goes into the hull leaves it by the shortest way. It is across a face,
-    or across the core and an edge.
+    A core that goes into the hull leaves it by the shortest way. It is across
+    a face, or across the core and an edge.
     """
     hull, ends, radius = hull_of(b), ends_of(a), a.size[:, 0]
     heights = ends @ hull.normal.mT - hull.offset[:, None]
@@ -107,7 +107,7 @@ def capsule_hull(a: Placed, b: Placed, margin: float) -> Found:
         radius[row],
     )
     point = places[row, feature] - normal * ((distance + radius) / 2)[:, None]
-    return Found(pair[row], point, normal, distance - radius, feature)
+    return Touching(pair[row], point, normal, distance - radius, feature)
 
 
 def _nearest_outside(
@@ -115,8 +115,9 @@ def _nearest_outside(
 ) -> Nearest:
     """The nearest place of cores that do not go into the hull.
 
-    It is the end of a core over a face, or any place of the core that is nearest to an
-    edge. The ends and the heights above all faces are (n, 2, 3) and (n, 2, f).
+    It is the end of a core over a face, or any place of the core that is
+    nearest to an edge. The ends and the heights above all faces are (n, 2, 3)
+    and (n, 2, f).
     """
     corners = hull.vertices[:, hull.faces]
     behind = behind_sides(ends[:, None], corners, hull.normal)
@@ -155,8 +156,9 @@ def _way_out(hull: Hull, ends: Array, way: Array) -> Nearest:
     edges = stops - starts
     along = way[:, None] @ hull.normal.mT
     left, right = (along[:, 0, side] for side in hull.edges.beside.T)
-    # Of the planes that touch the hull along an edge, one is parallel to the core if
-    # the core rises from one of the two faces and sinks into the other.
+    # Of the planes that touch the hull along an edge, one is parallel to the
+    # core if the core rises from one of the two faces and sinks into the
+    # other.
     normal = np.where(left > 0, -1.0, 1.0)[..., None] * cross(
         np.broadcast_to(way[:, None], edges.shape), edges
     )

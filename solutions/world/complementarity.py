@@ -22,13 +22,14 @@ Rounding grows in the exchanges.
 LEAST_PIVOTS = (1e-8, 1e-11, 1e-14)
 """The smallest pivots of careful attempts, one after another.
 
-A smaller one multiplies rounding. But where masses differ by 1e10, a pivot of 1e-10 is
-no rounding.
+A smaller one multiplies rounding. But where masses differ by 1e10, a pivot of
+1e-10 is no rounding.
 """
 SOLVED, NEARLY = 1e-10, 1e-7
 """Shares of its terms by which rounding may change a row of A f + b.
 
-With the first no further attempt is made; with the second the best attempt is taken.
+With the first no further attempt is made; with the second the best attempt is
+taken.
 """
 CONVERGED = 1e-6
 """Share of the terms of a row that is left where sweeps have converged."""
@@ -37,8 +38,8 @@ FAINT = 1e-6
 UNMET = 0.05
 """Share of the largest |b_i| by which A f + b may miss what it has to be.
 
-Rounding of A and huge forces solve even a problem that has no solution, but for rows
-that they miss by about b itself.
+Rounding of A and huge forces solve even a problem that has no solution, but
+for rows that they miss by about b itself.
 """
 EXCHANGES, CAREFUL_EXCHANGES = 20, 5
 """How many exchanges for each row an attempt may take. It usually takes about one."""
@@ -264,9 +265,9 @@ def _lemke(a: Array, b: Array) -> Array:
 def _evened(a: Array) -> Array:
     """Units (m,) in which the largest number of each row and column is near 1.
 
-    The same units for rows and columns leave the problem as it is: f_i is over the
-    unit, (A f + b)_i times the unit, and A keeps the signs of its eigenvalues. They are
-    powers of two, so that no digit changes (Ruiz 2001).
+    The same units for rows and columns leave the problem as it is: f_i is over
+    the unit, (A f + b)_i times the unit, and A keeps the signs of its
+    eigenvalues. They are powers of two, so that no digit changes (Ruiz 2001).
     """
     unit = np.ones(len(a))
     for _ in range(5):
@@ -280,8 +281,9 @@ def _evened(a: Array) -> Array:
 def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
     """By how much forces f ≥ 0 miss a solution, as a share of the terms of a row.
 
-    A row may not be below zero, nor above zero where there is a force. Forces that are
-    small beside the others count as larger, because they may be rounding of these.
+    A row may not be below zero, nor above zero where there is a force. Forces
+    that are small beside the others count as larger, because they may be
+    rounding of these.
     """
     row = a @ forces + b
     wrong = np.where(forces > 0, np.abs(row), -row)

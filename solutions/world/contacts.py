@@ -18,7 +18,7 @@ from solutions.world.pieces import (
     place_pieces,
     placed,
 )
-from solutions.world.shapes import Found
+from solutions.world.shapes import Touching
 
 
 class Contacts(NamedTuple):
@@ -168,7 +168,7 @@ def alike(
 
 
 def _contacts(
-    bodies: Bodies, first: Integers, second: Integers, found: list[Found]
+    bodies: Bodies, first: Integers, second: Integers, found: list[Touching]
 ) -> Contacts:
     """All that was found, pair by pair in the order of the broad phase."""
     if not found:

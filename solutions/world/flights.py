@@ -13,7 +13,7 @@ from solutions.world.pieces import bounding_boxes, place_pieces
 from solutions.world.rotation import turn_freely
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
-from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.sequential import Targets, in_groups, solve_sequentially
 from solutions.world.shapes import TOUCH
 
 TURN = 0.25
@@ -88,7 +88,7 @@ def held(
     )
     seconds = np.where(left > 0, left, 1.0)[:, None]
     closing = np.maximum(near.separation[kept], 0.0) / seconds[some.body_a, 0]
-    wanted = Wanted(-closing, static, kinetic, none > 0)
+    targets = Targets(-closing, static, kinetic, none > 0)
 
     def stopped(velocity: Array, spin: Array) -> tuple[Array, Array]:
         return solve_sequentially(
@@ -96,7 +96,7 @@ def held(
             groups,
             velocity,
             spin,
-            wanted,
+            targets,
             0.0,
             rules.sweeps,
             rules.tolerance,

@@ -15,7 +15,7 @@ from solutions.world.edge_contacts import edge_contacts
 from solutions.world.face_contacts import face_contacts
 from solutions.world.hulls import hull_of
 from solutions.world.round_pairs import above_half_space
-from solutions.world.shapes import Found, Placed
+from solutions.world.shapes import Placed, Touching
 
 BIAS = 1e-3
 """Share of the smaller size by which an edge must be better than a face.
@@ -35,12 +35,12 @@ FEATURES = 1 << 16
 """Numbers that a feature may have."""
 
 
-def hull_half_space(a: Placed, b: Placed, margin: float) -> Found:
+def hull_half_space(a: Placed, b: Placed, margin: float) -> Touching:
     """Where boxes or polyhedra touch half-spaces: each vertex has a number."""
     return above_half_space(a.vertices, np.zeros(len(a.vertices)), b, margin)
 
 
-def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
+def hull_hull(a: Placed, b: Placed, margin: float) -> Touching:
     """Where boxes or polyhedra touch each other.
 
     They touch with a face of each, at up to as many places as both faces have
@@ -107,7 +107,7 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     row, slot = np.nonzero(separation <= margin)
     order = np.argsort(row * FEATURES + feature[row, slot], kind="stable")
     row, slot = row[order], slot[order]
-    return Found(
+    return Touching(
         pair[row],
         point[row, slot],
         normal[row],

@@ -7,13 +7,13 @@ from collections.abc import Callable
 import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.world.shapes import TOUCH, Found
+from solutions.world.shapes import TOUCH, Touching
 
 LOOKS = 40
 """How often a gap is looked at; a graze takes 20 from 1 mm to 1e-10 m."""
 ANYWHERE = 1e300
 """A margin within which two bodies have their places wherever they are, m."""
-NearestPlaces = Callable[[Integers, Array], tuple[Found, Array]]
+NearestPlaces = Callable[[Integers, Array], tuple[Touching, Array]]
 """Where the chosen pairs (k,) are nearest at some instants (k,), in s.
 
 Also how fast the two bodies part at each of these places, in m/s. A pair may

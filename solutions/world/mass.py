@@ -1,7 +1,7 @@
 """Centre of mass and principal moments of shapes that are filled evenly (slide 18).
 
-A caller who knows the moments of a body better, as of a hollow one, can use their own
-numbers in place of these.
+A caller who knows the moments of a body better, as of a hollow one, can use
+their own numbers in place of these.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
     Parameters
     ----------
     shape : see `solutions.world.shapes`
-        Filled evenly. The mass of a compound is shared out among its parts by their
-        volumes. Where parts overlap, the mass is counted twice.
+        Filled evenly. The mass of a compound is shared out among its parts by
+        their volumes. Where parts overlap, the mass is counted twice.
     mass : kg, positive; infinity for an immovable body
 
     Returns
@@ -48,24 +48,24 @@ def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
     centre : (3,), m, in the shape's own frame
     moments : (3,), kg m², about the centre and along the principal axes
     orientation : (4,), unit quaternion w, x, y, z
-        It turns the principal axes into the shape's own. It is (1, 0, 0, 0) exactly if
-        the shape's own axes are principal, to rounding.
+        It turns the principal axes into the shape's own. It is (1, 0, 0, 0)
+        exactly if the shape's own axes are principal, to rounding.
 
     Raises
     ------
     ValueError
-        If the mass is not positive, a half-space has a finite mass, a length is
-        negative or not finite, the faces of a polyhedron look inwards, or there is no
-        such kind of shape.
+        If the mass is not positive, a half-space has a finite mass, a length
+        is negative or not finite, the faces of a polyhedron look inwards, or
+        there is no such kind of shape.
 
     Notes
     -----
-    An immovable body has three infinite moments. It needs no centre, and so its own
-    frame is returned as it is.
+    An immovable body has three infinite moments. It needs no centre, and so
+    its own frame is returned as it is.
 
-    About the axes of the shape, the inertia of most bodies is a full matrix I. It is
-    symmetric, so that it has three perpendicular eigenvectors, the principal axes. With
-    these as the columns of R,
+    About the axes of the shape, the inertia of most bodies is a full matrix I.
+    It is symmetric, so that it has three perpendicular eigenvectors, the
+    principal axes. With these as the columns of R,
 
         I = R diag(I₁, I₂, I₃) Rᵀ
     """
@@ -85,7 +85,8 @@ def in_principal_axes(
 ) -> tuple[Shape, Array, Array, Array]:
     """The same shape, about its centre of mass and along its principal axes.
 
-    A body of this shape has a diagonal inertia, and its position is its centre of mass.
+    A body of this shape has a diagonal inertia, and its position is its centre
+    of mass.
 
     Parameters
     ----------
@@ -95,12 +96,13 @@ def in_principal_axes(
     Returns
     -------
     shape : the same kind
-        It is the very shape that was given if its frame is already the principal one.
+        It is the very shape that was given if its frame is already the
+        principal one.
     moments : (3,), kg m²
     centre, orientation : (3,) and (4,), as `mass_properties` returns them
-        They say where the new frame lies in the old one. A body whose old frame is at p
-        and turned by q has its new frame at p + R(q) centre, and it is turned by the
-        `quaternion_product` of q and the orientation.
+        They say where the new frame lies in the old one. A body whose old
+        frame is at p and turned by q has its new frame at p + R(q) centre, and
+        it is turned by the `quaternion_product` of q and the orientation.
 
     Raises
     ------
@@ -150,24 +152,25 @@ def capsule_inertia(mass: float, radius: float, half_length: float) -> Array:
     Raises
     ------
     ValueError
-        If the mass or the radius is not positive, or a length is negative or not
-        finite.
+        If the mass or the radius is not positive, or a length is negative or
+        not finite.
 
     Notes
     -----
-    The capsule is a cylinder with a half-ball at each end, and its mass is shared out
-    by their volumes. About its own axis z, the cylinder of mass m_c and the two
-    half-balls of mass m_s together have
+    The capsule is a cylinder with a half-ball at each end, and its mass is
+    shared out by their volumes. About its own axis z, the cylinder of mass m_c
+    and the two half-balls of mass m_s together have
 
         I_z = m_c r²/2 + 2/5 m_s r²
 
-    About x and y, the cylinder has m_c (r²/4 + h²/3). A half-ball of mass m has half
-    the moment of a ball of mass 2 m about the middle of its flat side, which is
-    2/5 m r². Its centre of mass is 3/8 r away from there. By the theorem of parallel
-    axes, its moment about its own centre of mass is smaller by m (3/8 r)². The centre
-    of the capsule is h + 3/8 r away from that, and so the moment about it is larger
-    again by m (h + 3/8 r)². The difference of the two squares is h² + 3/4 h r. The sum
-    over cylinder and half-balls is
+    About x and y, the cylinder has m_c (r²/4 + h²/3). A half-ball of mass m
+    has half the moment of a ball of mass 2 m about the middle of its flat
+    side, which is 2/5 m r². Its centre of mass is 3/8 r away from there. By
+    the theorem of parallel axes, its moment about its own centre of mass is
+    smaller by m (3/8 r)². The centre of the capsule is h + 3/8 r away from
+    that, and so the moment about it is larger again by m (h + 3/8 r)². The
+    difference of the two squares is h² + 3/4 h r. The sum over cylinder and
+    half-balls is
 
         I_x = I_y = m_c (r²/4 + h²/3) + m_s (2/5 r² + h² + 3/4 h r)
     """
@@ -189,8 +192,8 @@ def _compound(
 ) -> tuple[Array, Array]:
     """The parts' own inertias, and what their distances from the centre add.
 
-    By the theorem of parallel axes, a part of mass m whose centre is at d from that of
-    the body adds m (d·d − d dᵀ) to its own inertia.
+    By the theorem of parallel axes, a part of mass m whose centre is at d from
+    that of the body adds m (d·d − d dᵀ) to its own inertia.
     """
     volumes = np.array([volume(part) for part, _, _ in parts])
     positive("volume of a compound", volumes.sum())
@@ -220,9 +223,10 @@ def _polyhedron(
 ) -> tuple[Array, Array]:
     """Sums over tetrahedra with their tips at the middle of the vertices.
 
-    A tetrahedron with the tip at 0 and corners a, b, c has its centre of mass at
-    s/4 = (a + b + c)/4, and the mean of x xᵀ over it is (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/20.
-    With the mean C of x xᵀ over a body, its inertia is m (tr C − C).
+    A tetrahedron with the tip at 0 and corners a, b, c has its centre of mass
+    at s/4 = (a + b + c)/4, and the mean of x xᵀ over it is (a aᵀ + b bᵀ + c cᵀ
+    + s sᵀ)/20. With the mean C of x xᵀ over a body, its inertia is m (tr C −
+    C).
     """
     volumes, corners, middle = tetrahedra(vertices, faces)
     share = volumes / volumes.sum()

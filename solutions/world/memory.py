@@ -19,13 +19,14 @@ class Memory(NamedTuple):
     ----------
     key : (m,), of the contacts
     impulse : (m, 3), on A, in the world frame, N s
-        Of a penalty contact, not what it has given, but Δt times the force of its
-        spring along the surface, from which the next step knows the stretch.
+        Of a penalty contact, not what it has given, but Δt times the force of
+        its spring along the surface, from which the next step knows the
+        stretch.
     still : (n,), for how long each body has been slow, s; 0 if nothing sleeps
     unsettled : for how many steps more the impulses are looked for with more sweeps
-        Bodies may rest on each other when nothing is known of their contacts yet. The
-        usual sweeps would then need many steps to find what carries a tower, and until
-        then it has fallen. It is 0 after an impact.
+        Bodies may rest on each other when nothing is known of their contacts
+        yet. The usual sweeps would then need many steps to find what carries a
+        tower, and until then it has fallen. It is 0 after an impact.
     """
 
     key: Integers
@@ -46,8 +47,8 @@ NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)), unsettled=5)
 def remembered(memory: Memory, contacts: Contacts, rows: Rows) -> Array:
     """Impulses (m, 3) to begin with, N s: of the last step, where features stay.
 
-    They are kept in the world frame, because the directions of friction turn with the
-    normal from step to step.
+    They are kept in the world frame, because the directions of friction turn
+    with the normal from step to step.
     """
     if not len(memory.key):
         return np.zeros((len(contacts.key), 3))
@@ -63,7 +64,8 @@ def remembered(memory: Memory, contacts: Contacts, rows: Rows) -> Array:
         memory.impulse[place],
         0.0,
     )
-    # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that much more.
+    # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that
+    # much more.
     friction = np.stack(
         [np.vecdot(had, tangent) for tangent in tangents(contacts.normal)],
         axis=-1,

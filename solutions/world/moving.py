@@ -9,7 +9,7 @@ from solutions.world.bodies import Bodies, State
 from solutions.world.rotation import turn_freely, turned
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
-from solutions.world.sequential import Wanted, solve_sequentially
+from solutions.world.sequential import Targets, solve_sequentially
 
 NEGLIGIBLE_DEPTH = 1e-12
 """An overlap that is deeper than the slop by less than this, m, is no deeper."""
@@ -25,8 +25,9 @@ def moved_on(
 ) -> State:
     """The state after a step with these velocities, and a push (n, 6) beside them.
 
-    The position gains Δt v, with the velocity after the impulses (semi-implicit Euler);
-    the orientation turns so that the angular momentum stays what it is.
+    The position gains Δt v, with the velocity after the impulses
+    (semi-implicit Euler); the orientation turns so that the angular momentum
+    stays what it is.
     """
     position = state.position + dt * velocity + push[:, :3]
     orientation, spin = turn_freely(
@@ -51,9 +52,9 @@ def pushed_apart(
 ) -> Array:
     """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
 
-    It takes back a share of what will be deeper than the slop at the end of the step.
-    It is a motion beside the velocities, and so it adds no kinetic energy. What it
-    lifts has more potential energy afterwards.
+    It takes back a share of what will be deeper than the slop at the end of
+    the step. It is a motion beside the velocities, and so it adds no kinetic
+    energy. What it lifts has more potential energy afterwards.
     """
     ahead = (
         separation
@@ -63,9 +64,9 @@ def pushed_apart(
     nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
     if not np.any(ahead < -NEGLIGIBLE_DEPTH):
         return np.zeros((len(velocity), 6))
-    # Here a speed is a way, m. Where less than the slop is left of an overlap, or a
-    # gap, other pushes may use up what is missing, and no more.
-    wanted = Wanted(
+    # Here a speed is a way, m. Where less than the slop is left of an overlap,
+    # or a gap, other pushes may use up what is missing, and no more.
+    targets = Targets(
         np.where(ahead < 0, -rules.recovery * ahead, -ahead),
         none,
         none,
@@ -76,7 +77,7 @@ def pushed_apart(
         groups,
         nothing,
         nothing,
-        wanted,
+        targets,
         0.0,
         rules.push_sweeps,
         rules.tolerance,

@@ -47,7 +47,8 @@ class Pieces(NamedTuple):
     rotation : (p, 3, 3), from its own axes to the body's
     hull : (p,), which of the hulls it is; −1 for a piece without corners
     hulls : for each a pair of vertices (v, 3), in the piece's own axes, and faces
-        (f, s). All boxes have the same hull, ±1 along each axis, times their size.
+        (f, s). All boxes have the same hull, ±1 along each axis, times their
+        size.
     """
 
     body: Integers
@@ -77,8 +78,8 @@ def pieces_of(shapes: Sequence[Shape]) -> Pieces:
     Raises
     ------
     ValueError
-        If there is no such kind of shape, it has another number of parts, a size is not
-        positive and finite, or a polyhedron is none.
+        If there is no such kind of shape, it has another number of parts, a
+        size is not positive and finite, or a polyhedron is none.
     """
     body, kind, size, position, rotation, hull = [], [], [], [], [], []
     hulls: list[tuple[Array, Integers]] = [(BOX_VERTICES, BOX_FACES)]

@@ -11,7 +11,7 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans
 from solutions.world.segments import ends_of, nearest_on_segments
-from solutions.world.shapes import Found, Placed
+from solutions.world.shapes import Placed, Touching
 from solutions.world.vectors import cross
 
 COINCIDENT = 1e-12
@@ -27,7 +27,7 @@ LEAST_OVERLAP = 1e-3
 """Share of the shorter core along which capsules with two points lie side by side."""
 
 
-def sphere_sphere(a: Placed, b: Placed, margin: float) -> Found:
+def sphere_sphere(a: Placed, b: Placed, margin: float) -> Touching:
     """Where spheres touch spheres; along z where their centres coincide."""
     return _between_balls(
         a.position[:, None],
@@ -39,7 +39,7 @@ def sphere_sphere(a: Placed, b: Placed, margin: float) -> Found:
     )
 
 
-def sphere_capsule(a: Placed, b: Placed, margin: float) -> Found:
+def sphere_capsule(a: Placed, b: Placed, margin: float) -> Touching:
     """Where spheres touch capsules; along their x where a centre is on the core."""
     axis = b.rotation[:, :, 2]
     along = np.clip(
@@ -56,7 +56,7 @@ def sphere_capsule(a: Placed, b: Placed, margin: float) -> Found:
     )
 
 
-def capsule_capsule(a: Placed, b: Placed, margin: float) -> Found:
+def capsule_capsule(a: Placed, b: Placed, margin: float) -> Touching:
     """Where capsules touch capsules.
 
     Feature 0 is the place where the cores are nearest to each other. Capsules
@@ -113,7 +113,7 @@ def capsule_capsule(a: Placed, b: Placed, margin: float) -> Found:
     return _between_balls(places_a, places_b, a, b, aside, margin, touches)
 
 
-def sphere_box(a: Placed, b: Placed, margin: float) -> Found:
+def sphere_box(a: Placed, b: Placed, margin: float) -> Touching:
     """Where spheres touch boxes.
 
     A sphere whose centre is inside is pushed out of the nearest face.
@@ -141,22 +141,22 @@ def sphere_box(a: Placed, b: Placed, margin: float) -> Found:
         a.position[pair]
         - normal * ((core[pair] + a.size[pair, 0]) / 2)[:, None]
     )
-    return Found(pair, point, normal, separation[pair], np.zeros_like(pair))
+    return Touching(pair, point, normal, separation[pair], np.zeros_like(pair))
 
 
-def sphere_half_space(a: Placed, b: Placed, margin: float) -> Found:
+def sphere_half_space(a: Placed, b: Placed, margin: float) -> Touching:
     """Where spheres touch half-spaces."""
     return above_half_space(a.position[:, None], a.size[:, 0], b, margin)
 
 
-def capsule_half_space(a: Placed, b: Placed, margin: float) -> Found:
+def capsule_half_space(a: Placed, b: Placed, margin: float) -> Touching:
     """Where capsules touch half-spaces: feature 0 is the end at −z, 1 that at +z."""
     return above_half_space(ends_of(a), a.size[:, 0], b, margin)
 
 
 def above_half_space(
     centres: Array, radius: Array, b: Placed, margin: float
-) -> Found:
+) -> Touching:
     """Which balls around some points of each A touch the half-space B.
 
     Parameters
@@ -172,7 +172,7 @@ def above_half_space(
     pair, feature = np.nonzero(separation <= margin)
     normal, gap = out[pair], separation[pair, feature]
     point = centres[pair, feature] - normal * (radius[pair] + gap / 2)[:, None]
-    return Found(pair, point, normal, gap, feature)
+    return Touching(pair, point, normal, gap, feature)
 
 
 def _between_balls(
@@ -183,7 +183,7 @@ def _between_balls(
     aside: Array,
     margin: float,
     touches: Booleans | None = None,
-) -> Found:
+) -> Touching:
     """Where balls around points (n, k, 3) of A and B touch their partners.
 
     Where two centres coincide, the normal is `aside`, (n, 3). Only those that
@@ -205,4 +205,4 @@ def _between_balls(
         centres_b[pair, feature]
         + normal * (b.size[pair, 0] + gap / 2)[:, None]
     )
-    return Found(pair, point, normal, gap, feature)
+    return Touching(pair, point, normal, gap, feature)

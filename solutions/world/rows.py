@@ -67,12 +67,13 @@ def contact_rows(
 
     and the impulse d on A, −d on B, changes the velocities by M⁻¹ Jᵀ.
 
-    An impulse along a tangent t changes the normal speed as well, by K_nt. Newton's law
-    of restitution leaves the normal speed no choice. So friction here acts along
-    t − a n with a = K_nt/K_nn: the impulse that moves the points along the surface and
-    leaves their normal speed alone. Then the two do not disturb each other, and a
-    contact has its answer in one turn. Friction that opposes the slip itself needs the
-    tangents, and so does a penalty contact.
+    An impulse along a tangent t changes the normal speed as well, by K_nt.
+    Newton's law of restitution leaves the normal speed no choice. So friction
+    here acts along t − a n with a = K_nt/K_nn: the impulse that moves the
+    points along the surface and leaves their normal speed alone. Then the two
+    do not disturb each other, and a contact has its answer in one turn.
+    Friction that opposes the slip itself needs the tangents, and so does a
+    penalty contact.
     """
     a, b = contacts.body_a, contacts.body_b
     direction = np.stack([contacts.normal, *tangents(contacts.normal)], axis=1)

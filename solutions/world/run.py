@@ -29,7 +29,8 @@ UNSTABLE = (
 RUNAWAY = 1e9
 """A speed and a spin that no body of a right scene has, m/s and rad/s.
 
-It is beyond the speed of light, and such a spin tears all but specks of dust apart.
+It is beyond the speed of light, and such a spin tears all but specks of dust
+apart.
 """
 
 
@@ -68,9 +69,10 @@ def run_world(
     steps : how many
     rules : how it responds to contacts
     forces : functions, such as springs, drag and wind
-        Each takes the state, and returns the forces and the torques on all bodies,
-        (n, 3) each, N and N m. A function that needs one argument more is given the
-        time as well, f(state, t), in s. An argument with a default is not needed.
+        Each takes the state, and returns the forces and the torques on all
+        bodies, (n, 3) each, N and N m. A function that needs one argument more
+        is given the time as well, f(state, t), in s. An argument with a
+        default is not needed.
     every : a state is kept after so many steps
     memory : what another run left, which this one continues
     time : when the run starts, s
@@ -83,14 +85,15 @@ def run_world(
     Raises
     ------
     ValueError
-        If a number of steps is not whole or too small, forces do not fit, a motion
-        grows without end, or as `advance_world`.
+        If a number of steps is not whole or too small, forces do not fit, a
+        motion grows without end, or as `advance_world`.
 
     Notes
     -----
-    A run can be continued from the state after its last step, which is kept if `every`
-    divides `steps`. With its memory the second part is the same as if the run had gone
-    on, to the last digit, or to rounding of the time where forces ask for it:
+    A run can be continued from the state after its last step, which is kept if
+    `every` divides `steps`. With its memory the second part is the same as if
+    the run had gone on, to the last digit, or to rounding of the time where
+    forces ask for it:
 
         first = run_world(bodies, start, g, dt, 100)
         last = State(*(array[-1] for array in first))
@@ -98,11 +101,12 @@ def run_world(
             bodies, last, g, dt, 100, memory=first.memory, time=100 * dt
         )
 
-    Without it the contacts begin without impulses, and no body is asleep. The first
-    steps then take more sweeps than the others, so that what stands remains standing.
+    Without it the contacts begin without impulses, and no body is asleep. The
+    first steps then take more sweeps than the others, so that what stands
+    remains standing.
 
-    The forces act at the beginning of each step, as semi-implicit Euler takes them:
-    v⁺ = v + Δt F(x, v, t)/m, and x⁺ = x + Δt v⁺.
+    The forces act at the beginning of each step, as semi-implicit Euler takes
+    them: v⁺ = v + Δt F(x, v, t)/m, and x⁺ = x + Δt v⁺.
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
         is_whole = isinstance(count, int | np.integer)

@@ -15,7 +15,7 @@ SLIPS = 1e-6
 """Share by which friction must fall short of ending a slip that counts as one."""
 
 
-class Wanted(NamedTuple):
+class Targets(NamedTuple):
     """What the impulses of m contacts have to reach, and what they may be.
 
     Attributes
@@ -30,9 +30,9 @@ class Wanted(NamedTuple):
     kinetic_friction: Array
     rebounds: Booleans
 
-    def rows(self, chosen: Integers) -> Wanted:
+    def rows(self, chosen: Integers) -> Targets:
         """What some of the contacts have to reach, in the order given."""
-        return Wanted._make(each[chosen] for each in self)
+        return Targets._make(each[chosen] for each in self)
 
 
 def in_groups(
@@ -110,7 +110,7 @@ def solve_sequentially(
     groups: list[slice],
     velocity: Array,
     angular_velocity: Array,
-    wanted: Wanted,
+    targets: Targets,
     start: ArrayLike = 0.0,
     sweeps: int = 50,
     tolerance: float = 0.0,
@@ -125,7 +125,7 @@ def solve_sequentially(
     them
     velocity, angular_velocity : (n, 3), of all bodies before, m/s and rad/s
         With what all other forces add in this step.
-    wanted : what the impulses have to reach
+    targets : what the impulses have to reach
     start : (m, 3), impulses to begin with, such as those of the last step, N s
     sweeps : how often all contacts take their turn, at most
     tolerance : of the largest impulse
@@ -140,7 +140,7 @@ def solve_sequentially(
     Notes
     -----
     In its turn a contact sees the velocities as all others have left them.
-    Along the normal it gets what makes its speed the wanted one; what it has
+    Along the normal it gets what makes its speed the targets one; what it has
     had in all is clamped, not what is added now, so that a later turn may take
     back what an earlier one gave too much. Friction gets what ends the slip.
     If that is more than μ times the normal impulse, the points slip, and
@@ -164,14 +164,14 @@ def solve_sequentially(
     `dissipative_impulse` derives it. Without a rebound, u_n = 0, friction
     opposes the slip, as Coulomb says.
 
-    In a tall stack the sweeps converge slowly, always in the same direction. Each of
-    the further sweeps therefore begins some way ahead in the direction of the last
-    change. The way grows from sweep to sweep as Nesterov proposed, and begins again
-    when a sweep turns back (O'Donoghue and Candès 2015). For eight boxes 160 sweeps
-    then do what takes 5000 without.
+    In a tall stack the sweeps converge slowly, always in the same direction.
+    Each of the further sweeps therefore begins some way ahead in the direction
+    of the last change. The way grows from sweep to sweep as Nesterov proposed,
+    and begins again when a sweep turns back (O'Donoghue and Candès 2015). For
+    eight boxes 160 sweeps then do what takes 5000 without.
     """
-    if np.any(wanted.static_friction > wanted.kinetic_friction):
-        at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
+    if np.any(targets.static_friction > targets.kinetic_friction):
+        at_rest = targets._replace(kinetic_friction=targets.static_friction)
         found = solve_sequentially(
             rows,
             groups,
@@ -185,16 +185,16 @@ def solve_sequentially(
         )
         edge = np.where(
             _slip(rows, *found),
-            wanted.kinetic_friction,
-            wanted.static_friction,
+            targets.kinetic_friction,
+            targets.static_friction,
         )
-        wanted = wanted._replace(static_friction=edge, kinetic_friction=edge)
+        targets = targets._replace(static_friction=edge, kinetic_friction=edge)
     bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
     impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
     velocities = np.concatenate(
         after_impulses(rows, velocity, angular_velocity, impulse), axis=-1
     )
-    friction = _Friction(rows, wanted)
+    friction = _Friction(rows, targets)
     before = swept = impulse.copy()
     ahead = 0
     for sweep in range(sweeps + more_sweeps):
@@ -213,7 +213,7 @@ def solve_sequentially(
             of_both, had = velocities[bodies[group]], before[group]
             speed = np.matvec(rows.speed[group], of_both.reshape(-1, 12))
             new = impulse[group]
-            missing = wanted.speed[group] - speed[:, 0]
+            missing = targets.speed[group] - speed[:, 0]
             taken = np.vecdot(rows.coupling[group], had[:, 1:])
             new[:, 0] = np.maximum(
                 taken, had[:, 0] + missing / rows.softness[group, 0, 0]
@@ -250,11 +250,11 @@ def _slip(
 class _Friction:
     """Coulomb's cone at all contacts."""
 
-    def __init__(self, rows: Rows, wanted: Wanted) -> None:
-        self.coupling, self.wanted = rows.coupling, wanted
+    def __init__(self, rows: Rows, targets: Targets) -> None:
+        self.coupling, self.targets = rows.coupling, targets
         self.rough, self.rebounds = (
-            bool(np.any(wanted.static_friction)),
-            bool(np.any(wanted.rebounds)),
+            bool(np.any(targets.static_friction)),
+            bool(np.any(targets.rebounds)),
         )
         if self.rough:
             softness = rows.softness[:, 1:, 1:]
@@ -275,10 +275,10 @@ class _Friction:
             return 0.0
         coupling, kinetic = (
             self.coupling[group],
-            self.wanted.kinetic_friction[group],
+            self.targets.kinetic_friction[group],
         )
         sticking = had - np.matvec(self.mass[group], slip)
-        most = self.wanted.static_friction[group] * (
+        most = self.targets.static_friction[group] * (
             normal - np.vecdot(coupling, sticking)
         )
         holds = np.vecdot(sticking, sticking) <= most * np.abs(
@@ -305,10 +305,12 @@ class _Friction:
         self, group: slice, had: Array, slip: Array
     ) -> Array:
         """What turns friction at rebounds from the slip to least energy, c μ a."""
-        mu_a = self.wanted.kinetic_friction[group, None] * self.coupling[group]
+        mu_a = (
+            self.targets.kinetic_friction[group, None] * self.coupling[group]
+        )
         _, along = _split(had)
         steepness = 1 + np.vecdot(mu_a, along)
-        turns = self.wanted.rebounds[group] & (steepness > 0)
+        turns = self.targets.rebounds[group] & (steepness > 0)
         hold = np.maximum(-np.vecdot(slip, along), 0.0) / np.where(
             turns, steepness, 1.0
         )

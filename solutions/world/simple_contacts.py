@@ -33,7 +33,7 @@ from solutions.world.round_pairs import (
     sphere_half_space,
     sphere_sphere,
 )
-from solutions.world.shapes import TOUCH, Found, Placed
+from solutions.world.shapes import TOUCH, Placed, Touching
 
 BALL, CUBOID, PLANE = range(3)
 """The kinds of bodies in the lab. In a contact, A has the lower kind."""
@@ -45,7 +45,7 @@ SimplePlaces = tuple[Integers, Integers, Array, Array, Array]
 """body_a, body_b, point, normal, separation."""
 SimpleContacts = tuple[Integers, Integers, Array, Array, Array, Integers]
 """body_a, body_b, point, normal, separation, key."""
-Touch = Callable[[Placed, Placed, float], Found]
+Touch = Callable[[Placed, Placed, float], Touching]
 TOUCHES: dict[tuple[int, int], Touch] = {
     (BALL, BALL): sphere_sphere,
     (BALL, CUBOID): sphere_box,
@@ -155,7 +155,7 @@ def _pass(
             pairs: Integers = asked[some],
             kinds: tuple[int, int] = kinds,
             touch: Touch = touch,
-        ) -> tuple[Found, Array]:
+        ) -> tuple[Touching, Array]:
             own = np.arange(2 * len(chosen))
             one, other = np.split(own, 2)
             bodies = np.concatenate([a[pairs[chosen]], b[pairs[chosen]]])

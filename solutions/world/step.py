@@ -56,9 +56,10 @@ def advance_world(
     Raises
     ------
     ValueError
-        If there is no such response, it does not know the law, a number of the rules is
-        out of its range, dt is not positive, the memory is none, or knows sleepers of
-        another number of bodies, or an array is not finite or does not fit.
+        If there is no such response, it does not know the law, a number of the
+        rules is out of its range, dt is not positive, the memory is none, or
+        knows sleepers of another number of bodies, or an array is not finite
+        or does not fit.
     """
     rules = known(Rules(*rules))
     dt = float(of_shape("dt", finite("dt", positive("dt", dt)), ()))
@@ -75,8 +76,9 @@ def advance_world(
             bodies, state, acceleration, dt, rules, memory, force, torque
         )
 
-    # Forces: they change velocities at once. The gyroscopic term, by which a free body
-    # changes its spin without a torque, acts at the end, in `moved_on`.
+    # Forces: they change velocities at once. The gyroscopic term, by which a
+    # free body changes its spin without a torque, acts at the end, in
+    # `moved_on`.
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     linear = (
         np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
@@ -90,10 +92,10 @@ def advance_world(
         state.angular_velocity + dt * angular,
     )
 
-    # Contacts: each has a row for its normal and two for friction. In rows that are
-    # decoupled, friction leaves the normal speed alone, and so it can leave the least
-    # energy that an impact may leave.
-    contacts, groups, wanted, restitution = answered(
+    # Contacts: each has a row for its normal and two for friction. In rows
+    # that are decoupled, friction leaves the normal speed alone, and so it can
+    # leave the least energy that an impact may leave.
+    contacts, groups, targets, restitution = answered(
         bodies, state, velocity, spin, dt, rules, memory
     )
     least_energy = rules.law == "dissipative" and rules.response != "penalty"
@@ -106,8 +108,8 @@ def advance_world(
             decoupled=least_energy,
         )
 
-        # Velocities: impulses change them. Sequential impulses begin with those of the
-        # last step.
+        # Velocities: impulses change them. Sequential impulses begin with
+        # those of the last step.
         before = speeds(rows, state.velocity, state.angular_velocity)
         start = remembered(memory, contacts, rows)
         after_velocity, after_spin, impulse = RESPONSES[rules.response](
@@ -118,7 +120,7 @@ def advance_world(
                 velocity,
                 spin,
                 before,
-                wanted,
+                targets,
                 restitution,
                 start,
                 memory.unsettled > 0,
@@ -127,16 +129,17 @@ def advance_world(
             )
         )
         driven = driven_together(
-            contacts, rows, wanted, restitution, impulse, dt, rules
+            contacts, rows, targets, restitution, impulse, dt, rules
         )
         if not np.any(driven):
             break
         kept = np.flatnonzero(~driven)
         contacts, groups, order = grouped(bodies, contacts, kept)
-        wanted, restitution = wanted.rows(order), restitution[order]
+        targets, restitution = targets.rows(order), restitution[order]
     velocity, spin = after_velocity, after_spin
 
-    # Positions: bodies move with the new velocities, and beside them out of overlaps.
+    # Positions: bodies move with the new velocities, and beside them out of
+    # overlaps.
     push = np.zeros((len(velocity), 6))
     if rules.response != "penalty":
         push = pushed_apart(
@@ -204,8 +207,8 @@ def _step_with_sleepers(
 ) -> tuple[State, Memory, Contacts]:
     """One step without the bodies that sleep, unless one of them is struck.
 
-    A struck sleeper wakes with all that lie against it, and the step is taken again:
-    what it receives, it has to pass on.
+    A struck sleeper wakes with all that lie against it, and the step is taken
+    again: what it receives, it has to pass on.
     """
     awake_rules, fast = (
         rules._replace(sleep_speed=0.0),

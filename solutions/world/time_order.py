@@ -69,14 +69,16 @@ def step_in_time_order(
 
     Notes
     -----
-    Every group of bodies has a clock of its own. In each round it does one of two
-    things.
+    Every group of bodies has a clock of its own. In each round it does one of
+    two things.
 
-    1. **Impact.** Where two surfaces touch and approach by more than `rest_speed`, the
+    1. **Impact.** Where two surfaces touch and approach by more than
+    `rest_speed`, the
        first such contact, in the order of the contacts, gets its impulse, alone, as if
        no other touched. So a cradle passes the impulse on from ball to ball. The others
        have their turn in the next rounds, if they still approach.
-    2. **Flight.** Otherwise the bodies fly until the next impact. Slide 21's resting
+    2. **Flight.** Otherwise the bodies fly until the next impact. Slide 21's
+    resting
        contacts are slower, and their gap is at most `margin`. They lose their approach
        without rebound, and constant forces, those of sequential impulses, hold them to
        the end of the step. All others are watched. The gap of a contact is
@@ -87,20 +89,21 @@ def step_in_time_order(
        turning bodies overlap at the end of the flight, it is halved until they do not:
        the world is backed up.
 
-    The bodies fly on parabolas, without error. So the result depends on the timestep
-    only through contacts that rest and through bodies that turn.
+    The bodies fly on parabolas, without error. So the result depends on the
+    timestep only through contacts that rest and through bodies that turn.
 
-    **Zeno.** The impacts of a step may have no end, as when balls come to rest upon
-    each other. Twenty-five discs with e = ½ that fall into a box at 240 Hz have more
-    than 4000 impacts in the step at 0.24 s if `rest_speed` is 0. With 0.1 m/s they have
-    59 at most and come to rest within a second, because contacts that rest are held by
-    forces. To leave out their rebound is not enough: weight drives them together again
-    at once.
+    **Zeno.** The impacts of a step may have no end, as when balls come to rest
+    upon each other. Twenty-five discs with e = ½ that fall into a box at 240
+    Hz have more than 4000 impacts in the step at 0.24 s if `rest_speed` is 0.
+    With 0.1 m/s they have 59 at most and come to rest within a second, because
+    contacts that rest are held by forces. To leave out their rebound is not
+    enough: weight drives them together again at once.
 
-    After `looks` rounds the rest of the step is answered after the fact. All surfaces
-    that touch lose their approach without rebound, together, and the bodies fly to the
-    end of the step without another look. The world then goes on, and the overlaps are
-    pushed apart. An error instead would end every run in which a pile comes to rest.
+    After `looks` rounds the rest of the step is answered after the fact. All
+    surfaces that touch lose their approach without rebound, together, and the
+    bodies fly to the end of the step without another look. The world then goes
+    on, and the overlaps are pushed apart. An error instead would end every run
+    in which a pile comes to rest.
     """
     _, clock = np.unique(bodies.group, return_inverse=True)
     left, impacts = np.full(np.max(clock, initial=-1) + 1, dt), 0

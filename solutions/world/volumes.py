@@ -30,14 +30,14 @@ def volume(shape: Shape) -> float:
     Returns
     -------
     float, m³
-        That of a compound is the sum over its parts, even where they overlap. That of a
-        half-space is infinite.
+        That of a compound is the sum over its parts, even where they overlap.
+        That of a half-space is infinite.
 
     Raises
     ------
     ValueError
-        If a length is negative or not finite, the faces of a polyhedron look inwards,
-        or there is no such kind of shape.
+        If a length is negative or not finite, the faces of a polyhedron look
+        inwards, or there is no such kind of shape.
     """
     kind, *rest = shape
     if kind == "sphere":
@@ -74,7 +74,8 @@ def tetrahedra(
     ----------
     vertices : (v, 3), m
     faces : f lists of vertices each, counterclockwise from outside
-        They may have different lengths. A vertex that is repeated makes no difference.
+        They may have different lengths. A vertex that is repeated makes no
+        difference.
 
     Returns
     -------
@@ -86,15 +87,16 @@ def tetrahedra(
     Raises
     ------
     ValueError
-        If vertices are not finite or do not fit the faces, or the faces look inwards,
-        or they do not close or not all look the same way: along each edge as many of
-        them must run one way as the other. A part whose faces look inwards must lie
-        within another one, as a cavity.
+        If vertices are not finite or do not fit the faces, or the faces look
+        inwards, or they do not close or not all look the same way: along each
+        edge as many of them must run one way as the other. A part whose faces
+        look inwards must lie within another one, as a cavity.
 
     Notes
     -----
-    A face with the corners 0, 1, 2, 3 is cut into the triangles 0 1 2 and 0 2 3. Each
-    triangle a, b, c makes a tetrahedron with the tip, whose volume is a·(b × c)/6.
+    A face with the corners 0, 1, 2, 3 is cut into the triangles 0 1 2 and 0 2
+    3. Each triangle a, b, c makes a tetrahedron with the tip, whose volume is
+    a·(b × c)/6.
     """
     triangles = [
         (face[0], *side)
@@ -138,8 +140,8 @@ def _refuse_inside_out(
 ) -> None:
     """Refuse a part whose faces look inwards, unless it is a cavity in another one.
 
-    Parts are those that share no vertex. Behind each face of a cavity there is the
-    solid, so that the surface goes once round a point there.
+    Parts are those that share no vertex. Behind each face of a cavity there is
+    the solid, so that the surface goes once round a point there.
     """
     places = same_places(vertices, faces)
     part = np.arange(len(vertices))
