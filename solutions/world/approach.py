@@ -101,7 +101,7 @@ def _touch_in_flight(
     first: Array,
     last: Array,
 ) -> Booleans:
-    """Whether the pieces of each contact touch from `first` to `last`, (m,)."""
+    """Whether each contact's pieces touch from `first` to `last`, (m,)."""
     touch = np.zeros(len(first), dtype=bool)
     one, other = pieces_of_contacts(bodies, contacts)
     for kinds, some in alike(bodies.pieces, one, other):
@@ -132,7 +132,7 @@ class _Flown(NamedTuple):
     spin: Array
 
     def velocity_at(self, point: Array, chosen: Integers) -> Array:
-        """Velocities (m, 3), m/s, of points (m, 3) of the chosen pieces (m,)."""
+        """Velocities of points (m, 3) of the chosen pieces (m,), m/s."""
         arm = point - self.centre[chosen]
         return self.velocity[chosen] + cross(self.spin[chosen], arm)
 
@@ -144,7 +144,7 @@ def _flown(
     motion: tuple[Array, Array],
     time: Array,
 ) -> _Flown:
-    """Pieces (k,) of one kind and hull after free flights, each of a time, s."""
+    """Pieces (k,) of one kind and hull, each after a free flight, s."""
     every = np.arange(len(number))
     body = bodies.pieces.body[number]
     seconds = time[:, None]
