@@ -105,7 +105,7 @@ def make_bodies(
     restitution: ArrayLike = 0.0,
     friction: ArrayLike = 0.0,
     static_friction: ArrayLike | None = None,
-    material: Whole = 0,
+    material: Whole | None = None,
     group: Annotated[Array, whole, finite] = 0,
     collide: ArrayLike = True,
 ) -> Bodies:
@@ -146,7 +146,10 @@ def make_bodies(
     moments = of_shape("moments", moments, (count, 3))
     moments[np.isinf(mass)] = np.inf
     _refuse_impossible(moments)
-    material = of_shape("material", material, (count,)).astype(np.int64)
+    material = of_shape(
+        "material", 0 if material is None else material, (count,)
+    )
+    material = material.astype(np.int64)
     group = of_shape("group", group, (count,)).astype(np.int64)
     pieces = pieces_of(shapes)
     _refuse_off_centre(shapes, pieces, mass)
