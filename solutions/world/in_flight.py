@@ -26,6 +26,11 @@ def meet_in_flight(
 ) -> tuple[Booleans, Booleans]:
     """Which pairs touch between two instants, and which do not pass by then.
 
+    Parameters
+    ----------
+    nearest : where some of the pairs are nearest at instants of their own
+    first, last : (m,), the instants of each pair, s
+
     Returns
     -------
     touch, near : (m,) each
@@ -44,10 +49,11 @@ def meet_in_flight(
     for _ in range(LOOKS):
         if not len(some):
             break
-        found, rates = nearest(some, now)
-        order = np.lexsort((found.separation, found.pair))
-        closest = order[np.flatnonzero(np.diff(found.pair[order], prepend=-1))]
-        pair, gap = found.pair[closest], found.separation[closest]
+        places, rates = nearest(some, now)
+        order = np.lexsort((places.separation, places.pair))
+        is_first = np.diff(places.pair[order], prepend=-1)
+        closest = order[np.flatnonzero(is_first)]
+        pair, gap = places.pair[closest], places.separation[closest]
         rate = rates[closest]
         touch[some[pair[gap <= TOUCH]]] = True
         nearer = (gap > TOUCH) & (rate < 0)

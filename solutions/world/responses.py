@@ -14,7 +14,7 @@ from solutions.world.sequential import Targets, solve_sequentially
 from solutions.world.simultaneous import solve_simultaneously
 
 Answer = tuple[Array, Array, Array]
-"""Velocities and spins (n, 3) of the bodies, impulses (m, 3) of the contacts."""
+"""Velocities and spins (n, 3) of bodies, impulses (m, 3) of contacts."""
 UNSETTLED_SHARE, UNSETTLED_SWEEPS, UNSETTLED_TOLERANCE = 10, 500, 0.1
 """How many sweeps may follow on the usual ones in the first steps of a run.
 
@@ -31,12 +31,14 @@ class Question(NamedTuple):
     ----------
     contacts, rows : m contacts
     groups : contacts that may take their turn together
-    velocity, angular_velocity : (n, 3), with what all other forces add in this step
+    velocity, angular_velocity : (n, 3), m/s and rad/s
+        With what all other forces add in this step.
     before : (m, 3), speeds of the contacts before the step, m/s
-    targets : what Newton's law wants
+    targets : what the impulses have to reach, by Newton's law
     restitution : (m,), e
     start : (m, 3), what the last step left, N s
-    unsettled : whether a run begins with bodies at rest, so that more sweeps are needed
+    unsettled : whether more sweeps are needed
+        They are where a run begins with bodies at rest.
     dt : s
     rules : how to respond
     """
@@ -59,7 +61,6 @@ def sequential(question: Question) -> Answer:
     """Contact after contact, again and again; see `solve_sequentially`."""
     more = min(UNSETTLED_SHARE * question.rules.sweeps, UNSETTLED_SWEEPS)
     more *= question.unsettled
-
     return solve_sequentially(
         question.rows,
         question.groups,
