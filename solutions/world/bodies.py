@@ -16,7 +16,6 @@ from solutions.checks import (
     not_negative,
     of_shape,
     unit,
-    vector,
     whole,
 )
 from solutions.domain import (
@@ -28,6 +27,7 @@ from solutions.domain import (
     domain,
     require,
 )
+from solutions.impulse.inertia import Moments
 from solutions.world.mass import mass_properties
 from solutions.world.pieces import Pieces, pieces_of
 from solutions.world.shapes import HALF_SPACE, Shape
@@ -37,8 +37,6 @@ ROUNDING = 1e-6
 
 So values in single precision will do.
 """
-Moments = Annotated[Array, vector, not_negative]
-"""(..., 3), not negative; infinite for a body that nothing turns."""
 
 
 class Surfaces(NamedTuple):

@@ -12,7 +12,7 @@ from solutions.world.rules import Rules
 from solutions.world.sequential import Targets, solve_sequentially
 
 NEGLIGIBLE_DEPTH = 1e-12
-"""An overlap that is deeper than the slop by less than this, m, is no deeper."""
+"""An overlap deeper than the slop by less than this, m, counts as the slop."""
 
 
 def moved_on(
@@ -56,28 +56,20 @@ def pushed_apart(
     the step. It is a motion beside the velocities, and so it adds no kinetic
     energy. What it lifts has more potential energy afterwards.
     """
-    ahead = (
-        separation
-        + dt * speeds(rows, velocity, angular_velocity)[:, 0]
-        + rules.slop
-    )
-    nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
+    rate = speeds(rows, velocity, angular_velocity)[:, 0]
+    ahead = separation + dt * rate + rules.slop
     if not np.any(ahead < -NEGLIGIBLE_DEPTH):
         return np.zeros((len(velocity), 6))
     # Here a speed is a way, m. Where less than the slop is left of an overlap,
     # or a gap, other pushes may use up what is missing, and no more.
-    targets = Targets(
-        np.where(ahead < 0, -rules.recovery * ahead, -ahead),
-        none,
-        none,
-        none > 0,
-    )
+    way = np.where(ahead < 0, -rules.recovery * ahead, -ahead)
+    smooth, at_rest = np.zeros(len(ahead)), np.zeros_like(velocity)
     along, about, _ = solve_sequentially(
         rows,
         groups,
-        nothing,
-        nothing,
-        targets,
+        at_rest,
+        at_rest,
+        Targets(way, smooth, smooth, smooth > 0),
         0.0,
         rules.push_sweeps,
         rules.tolerance,

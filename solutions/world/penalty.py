@@ -33,7 +33,7 @@ def solve_with_springs(
     velocity, angular_velocity : (n, 3), of all bodies, m/s and rad/s
         With what all other forces add in this step.
     separation : (m,), m; negative in overlap
-    approach : (m, 3), speeds along the normal and the tangents before the step, m/s
+    approach : (m, 3), speeds along normal and tangents before the step, m/s
         The first is negative where the points approach.
     restitution, friction : (m,), e and the kinetic μ
     start : (m, 3), what the last step returned as its springs' impulses, N s
@@ -68,9 +68,8 @@ def solve_with_springs(
     """
     normal, mass = rows.direction[:, 0], 1 / rows.softness[:, 0, 0]
     critical = 2 * np.sqrt(stiffness * mass)
-    damping = np.minimum(
-        penalty_damping(restitution, mass, stiffness), critical
-    )
+    damping = penalty_damping(restitution, mass, stiffness)
+    damping = np.minimum(damping, critical)
     press = penalty_force(
         separation, approach[:, 0], normal, stiffness, damping
     )
@@ -89,8 +88,7 @@ def solve_with_springs(
         np.sqrt(along * across),
         dt,
     )
-    impulse, springs = (
-        dt * np.matvec(rows.direction, force)
-        for force in (press + friction_force, -along[:, None] * stretch)
-    )
+    spring_force = -along[:, None] * stretch
+    impulse = dt * np.matvec(rows.direction, press + friction_force)
+    springs = dt * np.matvec(rows.direction, spring_force)
     return *after_impulses(rows, velocity, angular_velocity, impulse), springs

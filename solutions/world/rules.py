@@ -1,4 +1,4 @@
-"""How a world responds to its contacts: its response and its law of restitution."""
+"""How a world responds to its contacts."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ class Rules(NamedTuple):
     Attributes
     ----------
     rest_speed : m/s
-        A slower approach is answered without rebound. Two steps' gain of
+        A slower approach ends without rebound. Two steps' gain of
         weight is a good choice, 2 g Δt: what is slower has fallen for two
         steps at most.
     margin : m
         A gap up to which a contact is kept, so that resting bodies keep
         theirs.
-    with_weight : whether the speed that is turned back includes the gain of this step
+    with_weight : whether a rebound includes the speed gained in this step
         Newton's law speaks of the speed of approach. At a step one may take it
         before the forces of the step act, or after; engines of both kinds
         exist.
@@ -90,7 +90,7 @@ class Rules(NamedTuple):
 
 @lru_cache(maxsize=64)
 def known(rules: Rules) -> Rules:
-    """Return the rules; refuse a choice that does not exist, and a wrong number."""
+    """Return the rules; refuse an unknown choice and a wrong number."""
     if rules.response not in LAWS:
         raise ValueError(
             f"response must be one of {', '.join(LAWS)}, not"

@@ -1,4 +1,4 @@
-"""The impulses of all contacts at once: a complementarity problem (slide 22)."""
+"""The impulses of all contacts at once, a complementarity problem (slide 22)."""
 
 from __future__ import annotations
 
@@ -28,7 +28,8 @@ def solve_simultaneously(
     velocity, angular_velocity : (n, 3), of all bodies before, m/s and rad/s
         With what all other forces add in this step.
     targets : what the impulses have to reach
-    directions : k, in how many directions friction can push, an even number
+    directions : k, an even number
+        In so many directions friction can push.
 
     Returns
     -------
@@ -38,7 +39,7 @@ def solve_simultaneously(
     Raises
     ------
     ValueError
-        If no impulses reach what is targets, as where a ball between two
+        If no impulses reach the targets, as where a ball between two
         immovable walls is to part from both.
 
     Notes
@@ -46,7 +47,7 @@ def solve_simultaneously(
     Without friction the impulses p solve the problem of `resting_problem`. The
     speeds after them are u⁺ = u + A p, and at each contact
 
-        u⁺ ≥ targets speed,    p ≥ 0,    and one of them with equality
+        u⁺ ≥ target speed,    p ≥ 0,    and one of them with equality
 
     **Friction** (Stewart and Trinkle 1996) is the sum of impulses β ≥ 0 in k
     directions d along the surface. So Coulomb's cone has a polygon for its
@@ -54,8 +55,8 @@ def solve_simultaneously(
     friction is weaker by cos(π/k), 8 % for k = 8. A number σ for each contact
     is the speed at which it slips:
 
-        d·u⁺ + σ ≥ 0,      β ≥ 0    the direction most against the slip takes part
-        μ p − Σ β ≥ 0,     σ ≥ 0    a contact that slips uses all of its friction
+        d·u⁺ + σ ≥ 0,      β ≥ 0    the direction most against the slip acts
+        μ p − Σ β ≥ 0,     σ ≥ 0    a contact that slips uses all its friction
 
     These are complementary, too, and so it is one problem of m (2 + k)
     unknowns, which Lemke's method solves. Where friction acts along d − (a·d)
@@ -76,12 +77,12 @@ def solve_simultaneously(
     apart = speeds(rows, velocity, angular_velocity)
     impulse = np.zeros_like(apart)
     for island in islands(rows, len(velocity)):
-        some, targets = (
-            Rows._make(each[island] for each in rows),
-            targets.rows(island),
-        )
         impulse[island] = _impulses(
-            some, apart[island], targets, len(velocity), directions
+            Rows._make(array[island] for array in rows),
+            apart[island],
+            targets.rows(island),
+            len(velocity),
+            directions,
         )
     return *after_impulses(rows, velocity, angular_velocity, impulse), impulse
 
@@ -103,7 +104,7 @@ def islands(rows: Rows, bodies: int) -> list[Integers]:
         np.minimum.at(label, a, least)
         np.minimum.at(label, b, least)
     of = label[np.where(moves_a, rows.body_a, rows.body_b)]
-    return [np.flatnonzero(of == each) for each in np.unique(of)]
+    return [np.flatnonzero(of == island) for island in np.unique(of)]
 
 
 def _impulses(
@@ -135,16 +136,16 @@ def _impulses(
 
 
 def _softness_of_all(rows: Rows, bodies: int) -> Array:
-    """How the speeds change with unit impulses of all contacts, (m, 3, m, 3), 1/kg."""
+    """How all speeds change with unit impulses, (m, 3, m, 3), 1/kg."""
     count = len(rows.body_a)
-    each, speed, answer = np.arange(count), *np.zeros((2, count, 3, bodies, 6))
+    contact = np.arange(count)
+    speed, answer = np.zeros((2, count, 3, bodies, 6))
     for whole, part in ((speed, rows.speed), (answer, rows.answer)):
-        whole[each, :, rows.body_a] = part[:, :, :6]
-        whole[each, :, rows.body_b] = part[:, :, 6:]
+        whole[contact, :, rows.body_a] = part[:, :, :6]
+        whole[contact, :, rows.body_b] = part[:, :, 6:]
     size = (3 * count, 6 * bodies)
-    return (speed.reshape(size) @ answer.reshape(size).T).reshape(
-        count, 3, count, 3
-    )
+    softness = speed.reshape(size) @ answer.reshape(size).T
+    return softness.reshape(count, 3, count, 3)
 
 
 def _with_friction(
@@ -156,21 +157,17 @@ def _with_friction(
     directions: int,
 ) -> tuple[Array, Array]:
     """Impulses (m, 3) over the unit of mass, and speeds of slip (m,), m/s."""
-    count, angle = (
-        len(friction),
-        2 * np.pi * np.arange(directions) / directions,
-    )
+    count = len(friction)
+    angle = 2 * np.pi * np.arange(directions) / directions
     d = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     reach = 1 + friction[:, None] * rows.coupling @ d.T
     hold = np.where(targets.rebounds[:, None], reach, 1.0)
-    fan = np.repeat(
-        np.eye(count), directions, axis=1
-    )  # each contact's own directions
+    # Which directions are each contact's own
+    fan = np.repeat(np.eye(count), directions, axis=1)
     normal = softness[:, 0, :, 0]
     across = (softness[:, 0, :, 1:] @ d.T).reshape(count, -1)
-    along = np.einsum(
-        "ip,apbq,jq->aibj", d, softness[:, 1:, :, 1:], d
-    ).reshape(count * directions, -1)
+    along = np.einsum("ip,apbq,jq->aibj", d, softness[:, 1:, :, 1:], d)
+    along = along.reshape(count * directions, -1)
     none = np.zeros((count, count))
     matrix = np.block(
         [
@@ -179,13 +176,9 @@ def _with_friction(
             [np.diag(friction), -fan * reach.ravel(), none],
         ]
     )
-    offset = np.concatenate(
-        [
-            apart[:, 0] - targets.speed,
-            (apart[:, 1:] @ d.T).ravel(),
-            np.zeros(count),
-        ]
-    )
+    missing = apart[:, 0] - targets.speed
+    slip = (apart[:, 1:] @ d.T).ravel()
+    offset = np.concatenate([missing, slip, np.zeros(count)])
     solved = solve_by_pivots(matrix, offset)
     pushes = solved[count:-count].reshape(count, directions)
     impulse = np.concatenate([solved[:count, None], pushes @ d], axis=-1)
