@@ -13,7 +13,7 @@ FEW = 32
 SMALLEST = -3.0
 """Boxes narrower than 2⁻³ of the usual width count as being of this size."""
 FARTHEST = 2**18
-"""How far from the middle columns are counted; what is beyond is in the last."""
+"""So far from the middle columns are counted; all beyond are in the last."""
 ACROSS = 2 * FARTHEST + 3
 """Columns in a line across the grid, with an empty one at either end."""
 SPARE = 1e-6

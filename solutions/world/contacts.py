@@ -98,7 +98,7 @@ def find_contacts(
 def pieces_of_contacts(
     bodies: Bodies, contacts: Contacts
 ) -> tuple[Integers, Integers]:
-    """The convex pieces of A and of B that touch at each contact, (m,) each."""
+    """The convex pieces of A and of B that touch at each contact, (m,)."""
     a, b = np.divmod(contacts.key // FEATURES, len(bodies.pieces.body))
     return a, b
 
@@ -144,7 +144,7 @@ def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
 def alike(
     pieces: Pieces, first: Integers, second: Integers
 ) -> list[tuple[tuple[int, int], Integers]]:
-    """Kinds of A and B, and the numbers of all pairs of such kinds and hulls."""
+    """Kinds of A and B, and the numbers of all pairs alike."""
     kind, hull = pieces.kind, pieces.hull
     most = len(pieces.hulls) + 1
     sign_a = kind[first] * most + hull[first] + 1

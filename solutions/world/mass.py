@@ -1,4 +1,4 @@
-"""Centre of mass and principal moments of shapes that are filled evenly (slide 18).
+"""Centre of mass and principal moments of evenly filled shapes (slide 18).
 
 A caller who knows the moments of a body better, as of a hollow one, can use
 their own numbers in place of these.
@@ -13,6 +13,12 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, positive
+from solutions.domain import (
+    FiniteNotNegative,
+    FinitePositive,
+    Positive,
+    domain,
+)
 from solutions.impulse import (
     box_inertia,
     rotation_matrix,
@@ -21,7 +27,7 @@ from solutions.impulse import (
 )
 from solutions.world.rotation import orientation_of, quaternion_product
 from solutions.world.shapes import Shape
-from solutions.world.volumes import length, tetrahedra, volume
+from solutions.world.volumes import tetrahedra, volume
 
 ROUNDING_OF_MASS = 1e-12
 """Share of a body's size up to which a centre counts as its origin.
@@ -33,7 +39,10 @@ OPPOSITE = np.array([1.0, -1.0, -1.0, -1.0])
 """A unit quaternion times this is the rotation back."""
 
 
-def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
+@domain
+def mass_properties(
+    shape: Shape, mass: Positive
+) -> tuple[Array, Array, Array]:
     """Centre of mass, principal moments and principal axes of a shape.
 
     Parameters
@@ -54,9 +63,9 @@ def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
     Raises
     ------
     ValueError
-        If the mass is not positive, a half-space has a finite mass, a length
-        is negative or not finite, the faces of a polyhedron look inwards, or
-        there is no such kind of shape.
+        If a half-space has a finite mass, a length is negative or not finite,
+        the faces of a polyhedron look inwards, or there is no such kind of
+        shape.
 
     Notes
     -----
@@ -69,13 +78,12 @@ def mass_properties(shape: Shape, mass: float) -> tuple[Array, Array, Array]:
 
         I = R diag(I₁, I₂, I₃) Rᵀ
     """
-    if not np.isfinite(positive("mass", mass)):
+    if np.isinf(mass):
         return np.zeros(3), np.full(3, np.inf), np.array(UPRIGHT)
-    centre, inertia = _centre_and_inertia(shape, mass)
+    centre, inertia = _centre_and_inertia(shape, float(mass))
     moments, orientation = _principal(inertia)
-    if np.linalg.norm(centre) <= ROUNDING_OF_MASS * np.sqrt(
-        moments.max() / mass
-    ):
+    size = np.sqrt(moments.max() / mass)
+    if np.linalg.norm(centre) <= ROUNDING_OF_MASS * size:
         centre = np.zeros(3)
     return centre, moments, orientation
 
@@ -136,24 +144,21 @@ def _centre_and_inertia(shape: Shape, mass: float) -> tuple[Array, Array]:
     return np.zeros(3), np.diag(moments)
 
 
-def capsule_inertia(mass: float, radius: float, half_length: float) -> Array:
+@domain
+def capsule_inertia(
+    mass: Positive, radius: FinitePositive, half_length: FiniteNotNegative
+) -> Array:
     """Moments of inertia of a solid capsule about its centre.
 
     Parameters
     ----------
     mass : kg, positive and finite
-    radius : r, m, positive
+    radius : r, m, positive and finite
     half_length : h, m, not negative; the cylinder is 2 h long
 
     Returns
     -------
     (3,), kg m², about x, y and z of the body
-
-    Raises
-    ------
-    ValueError
-        If the mass or the radius is not positive, or a length is negative or
-        not finite.
 
     Notes
     -----
@@ -174,16 +179,12 @@ def capsule_inertia(mass: float, radius: float, half_length: float) -> Array:
 
         I_x = I_y = m_c (r²/4 + h²/3) + m_s (2/5 r² + h² + 3/4 h r)
     """
-    r, h = (
-        float(positive("radius", radius)),
-        length("half_length", half_length),
-    )
+    r, h = float(radius), float(half_length)
     in_ends = mass * volume(("sphere", r)) / volume(("capsule", r, h))
     in_cylinder = mass - in_ends
     about_z = in_cylinder * r**2 / 2 + in_ends * 2 / 5 * r**2
-    about_x = in_cylinder * (r**2 / 4 + h**2 / 3) + in_ends * (
-        2 / 5 * r**2 + h**2 + 3 / 4 * h * r
-    )
+    of_ends = 2 / 5 * r**2 + h**2 + 3 / 4 * h * r
+    about_x = in_cylinder * (r**2 / 4 + h**2 / 3) + in_ends * of_ends
     return np.array([about_x, about_x, about_z])
 
 
@@ -202,19 +203,14 @@ def _compound(
     for i, (part, position, orientation) in enumerate(parts):
         if masses[i] > 0:
             own_centre, moments, axes = mass_properties(part, masses[i])
-            centres[i] = (
-                finite("position", position)
-                + rotation_matrix(orientation) @ own_centre
-            )
-            inertias[i] = world_inertia(
-                moments, quaternion_product(orientation, axes)
-            )
+            place = finite("position", position)
+            centres[i] = place + rotation_matrix(orientation) @ own_centre
+            turn = quaternion_product(orientation, axes)
+            inertias[i] = world_inertia(moments, turn)
     centre = masses @ centres / mass
     d = centres - centre
-    shifts = (
-        np.vecdot(d, d)[:, None, None] * np.eye(3)
-        - d[:, :, None] * d[:, None, :]
-    )
+    squares = np.vecdot(d, d)[:, None, None] * np.eye(3)
+    shifts = squares - d[:, :, None] * d[:, None, :]
     return centre, np.sum(inertias + masses[:, None, None] * shifts, axis=0)
 
 
@@ -223,32 +219,29 @@ def _polyhedron(
 ) -> tuple[Array, Array]:
     """Sums over tetrahedra with their tips at the middle of the vertices.
 
-    A tetrahedron with the tip at 0 and corners a, b, c has its centre of mass
-    at s/4 = (a + b + c)/4, and the mean of x xᵀ over it is (a aᵀ + b bᵀ + c cᵀ
-    + s sᵀ)/20. With the mean C of x xᵀ over a body, its inertia is m (tr C −
-    C).
+    A tetrahedron with the tip at 0 and corners a, b, c, whose sum is s, has
+
+        s/4                                 for its centre of mass
+        (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/20      for its mean of x xᵀ
+
+    With the mean C of x xᵀ over a body, its inertia is m (tr C − C).
     """
     volumes, corners, middle = tetrahedra(vertices, faces)
     share = volumes / volumes.sum()
     s = corners.sum(axis=1)
     centre = share @ s / 4
-    products = (
-        np.einsum("tki,tkj->tij", corners, corners)
-        + s[:, :, None] * s[:, None, :]
-    )
-    mean = np.einsum("t,tij->ij", share, products) / 20 - np.outer(
-        centre, centre
-    )
+    products = np.einsum("tki,tkj->tij", corners, corners)
+    products = products + s[:, :, None] * s[:, None, :]
+    mean = np.einsum("t,tij->ij", share, products) / 20
+    mean = mean - np.outer(centre, centre)
     return middle + centre, mass * (np.trace(mean) * np.eye(3) - mean)
 
 
 def _principal(inertia: Array) -> tuple[Array, Array]:
-    """Moments (3,) and orientation (4,) of the principal axes of a matrix (3, 3)."""
+    """Moments (3,) along the principal axes, and orientation (4,) of these."""
     moments = np.diag(inertia)
-    if (
-        np.max(np.abs(inertia - np.diag(moments)))
-        <= ROUNDING_OF_MASS * moments.max()
-    ):
+    off_diagonal = np.abs(inertia - np.diag(moments))
+    if np.max(off_diagonal) <= ROUNDING_OF_MASS * moments.max():
         return moments, np.array(UPRIGHT)
     moments, axes = np.linalg.eigh(inertia)
     axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])  # right-handed
@@ -260,17 +253,11 @@ def _seen_from(shape: Shape, centre: Array, orientation: Array) -> Shape:
     kind, *rest = shape
     to_old = rotation_matrix(orientation)
     if kind == "polyhedron":
-        return (
-            kind,
-            (np.asarray(rest[0], dtype=float) - centre) @ to_old,
-            rest[1],
-        )
+        vertices, faces = rest
+        return kind, (vertices - centre) @ to_old, faces
     back = orientation * OPPOSITE
-    return kind, tuple(
-        (
-            part,
-            (np.asarray(position, dtype=float) - centre) @ to_old,
-            quaternion_product(back, turn),
-        )
+    parts = (
+        (part, (position - centre) @ to_old, quaternion_product(back, turn))
         for part, position, turn in rest[0]
     )
+    return kind, tuple(parts)

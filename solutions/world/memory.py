@@ -1,4 +1,4 @@
-"""What a step leaves to the next one: the impulses of its contacts (slide 22)."""
+"""What a step leaves to the next one: impulses of contacts (slide 22)."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def moved_on(
     push: Array,
     dt: float,
 ) -> State:
-    """The state after a step with these velocities, and a push (n, 6) beside them.
+    """The state after a step with these velocities and a push (n, 6).
 
     The position gains Δt v, with the velocity after the impulses
     (semi-implicit Euler); the orientation turns so that the angular momentum
@@ -50,7 +50,7 @@ def pushed_apart(
     dt: float,
     rules: Rules,
 ) -> Array:
-    """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
+    """How far each body moves and turns out of overlaps, (n, 6), m and rad.
 
     It takes back a share of what will be deeper than the slop at the end of
     the step. It is a motion beside the velocities, and so it adds no kinetic

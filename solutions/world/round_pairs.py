@@ -24,7 +24,7 @@ in between. For a length L and a distance d of the cores the two points miss at
 most (0.01 L)²/8d of the overlap there.
 """
 LEAST_OVERLAP = 1e-3
-"""Share of the shorter core that is side by side where there are two points."""
+"""Share of the shorter core that must be side by side for two points."""
 
 
 def sphere_sphere(a: Placed, b: Placed, margin: float) -> Touching:

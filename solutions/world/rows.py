@@ -1,4 +1,4 @@
-"""What impulses do at contacts, and how fast their points move (slides 14 to 18)."""
+"""What impulses do at contacts, and how points move (slides 14 to 18)."""
 
 from __future__ import annotations
 

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.vectors import quotient
 from solutions.world.rows import Rows, after_impulses, speeds
 
 SLIPS = 1e-6
@@ -300,4 +299,4 @@ class _Friction:
 def _split(vectors: Array) -> tuple[Array, Array]:
     """Lengths (k,) and directions (k, 2); zero has the direction 0."""
     length = np.sqrt(np.vecdot(vectors, vectors))
-    return length, quotient(vectors, length[:, None])
+    return length, vectors / np.where(length > 0, length, 1.0)[:, None]

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
+from solutions.vectors import quotient
 from solutions.world.rotation import turned
 from solutions.world.simple_contacts import (
     SimpleBodies,
@@ -58,31 +59,19 @@ def step_world(
     inverse_mass, moments, *_ = bodies
     position, orientation = state[:2]
     rest_speed, margin, sweeps = rules
-    mass = np.where(
-        inverse_mass > 0,
-        1 / np.where(inverse_mass > 0, inverse_mass, 1.0),
-        0.0,
-    )
-    push = mass[:, None] * np.asarray(acceleration) + force
+    mass = quotient(1.0, inverse_mass)
+    push = mass[:, None] * acceleration + force
     load = np.concatenate([push, np.broadcast_to(torque, push.shape)], axis=-1)
 
     contacts = collect_contacts(bodies, state, margin)
+    start = kept_impulses(memory, contacts)
     velocity, spin, impulse = respond(
-        bodies,
-        state,
-        contacts,
-        load,
-        dt,
-        rest_speed,
-        sweeps,
-        kept_impulses(memory, contacts),
+        bodies, state, contacts, load, dt, rest_speed, sweeps, start
     )
 
-    way = out_of_overlap(
-        bodies, (position, orientation, velocity, spin), contacts, dt
-    )
+    moving = position, orientation, velocity, spin
+    way = out_of_overlap(bodies, moving, contacts, dt)
     position = position + dt * velocity + way[:, :3]
-    orientation, spin = rotate_by_momentum(
-        turned(orientation, way[:, 3:]), spin, moments, dt
-    )
+    orientation = turned(orientation, way[:, 3:])
+    orientation, spin = rotate_by_momentum(orientation, spin, moments, dt)
     return position, orientation, velocity, spin, contacts[-1], impulse

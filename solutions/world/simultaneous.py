@@ -1,4 +1,4 @@
-"""The impulses of all contacts at once, a complementarity problem (slide 22)."""
+"""All impulses at once: a complementarity problem (slide 22)."""
 
 from __future__ import annotations
 
