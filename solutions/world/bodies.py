@@ -144,27 +144,24 @@ def make_bodies(
     moments = of_shape("moments", moments, (count, 3))
     moments[np.isinf(mass)] = np.inf
     _refuse_impossible(moments)
-    material = of_shape(
-        "material", 0 if material is None else material, (count,)
+    row = 0 if material is None else material
+    rows = of_shape("material", row, (count,)).astype(np.int64)
+    static = friction if static_friction is None else static_friction
+    surfaces = _surfaces(
+        1 + int(np.max(rows, initial=0)),
+        restitution=restitution,
+        friction=friction,
+        static_friction=static,
+        collide=collide,
     )
-    material = material.astype(np.int64)
-    group = of_shape("group", group, (count,)).astype(np.int64)
     pieces = pieces_of(shapes)
     _refuse_off_centre(shapes, pieces, mass)
     return Bodies(
         np.where(np.isinf(mass), 0.0, 1 / mass),
         moments,
-        material,
-        group,
-        _surfaces(
-            1 + int(np.max(material, initial=0)),
-            restitution=restitution,
-            friction=friction,
-            static_friction=(
-                friction if static_friction is None else static_friction
-            ),
-            collide=collide,
-        ),
+        rows,
+        of_shape("group", group, (count,)).astype(np.int64),
+        surfaces,
         pieces,
     )
 

@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, of_shape
+from solutions.checks import finite
 from solutions.domain import domain, require
 from solutions.world.bodies import Bodies, State
 from solutions.world.memory import NOTHING, Memory
 from solutions.world.rules import Rules
-from solutions.world.step import advance_world
+from solutions.world.step import advance_world, one_number
 
 Forces = (
     Callable[[State], tuple[Array, Array]]
     | Callable[[State, float], tuple[Array, Array]]
 )
 """Forces and torques on all bodies, (n, 3) each, N and N m."""
-OneNumber = Annotated[Array, finite, partial(of_shape, shape=())]
+OneNumber = Annotated[float, finite, one_number]
 """One number, finite."""
 UNSTABLE = (
     "; a spring, a damper or a penalty contact makes a motion grow without end"
@@ -126,13 +125,12 @@ def run_world(
         isinstance(forces, Sequence) and all(map(callable, forces)),
         f"forces must be a list of functions, not {forces!r}",
     )
-    start, dt = float(time), float(dt)
     kept = [state]
     acting = [
         _with_time(f"forces[{i}]", force) for i, force in enumerate(forces)
     ]
     for count in range(1, steps + 1):
-        now = start + (count - 1) * dt
+        now = time + (count - 1) * dt
         loads = np.zeros((2, len(bodies.inverse_mass), 3))
         for i, force in enumerate(acting):
             loads += _checked(f"forces[{i}]", force(state, now), loads, now)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
 from solutions.vectors import quotient
@@ -24,12 +23,12 @@ from solutions.world.simple_turning import rotate_by_momentum
 def step_world(
     bodies: SimpleBodies,
     state: SimpleState,
-    acceleration: ArrayLike,
+    acceleration: Array,
     dt: float,
     rules: tuple[float, float, int],
     memory: tuple[Integers, Array] | None = None,
-    force: ArrayLike = (0.0, 0.0, 0.0),
-    torque: ArrayLike = (0.0, 0.0, 0.0),
+    force: Array = (0.0, 0.0, 0.0),
+    torque: Array = (0.0, 0.0, 0.0),
 ) -> tuple[Array, Array, Array, Array, Integers, Array]:
     """One step of length dt: forces, contacts, velocities, positions.
 

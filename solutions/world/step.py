@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Annotated
 
 import numpy as np
@@ -28,7 +27,13 @@ from solutions.world.sleeping import (
 )
 from solutions.world.time_order import step_in_time_order
 
-Timestep = Annotated[Array, positive, finite, partial(of_shape, shape=())]
+
+def one_number(name: str, value: ArrayLike) -> float:
+    """Return the value as a number; refuse several."""
+    return float(of_shape(name, value, ()))
+
+
+Timestep = Annotated[float, positive, finite, one_number]
 """One number, positive and finite, s."""
 
 
@@ -68,7 +73,7 @@ def advance_world(
         rules is out of its range, the memory is none, or knows sleepers of
         another number of bodies, or an array is not finite or does not fit.
     """
-    rules, dt = known(Rules(*rules)), float(dt)
+    rules = known(Rules(*rules))
     require(
         isinstance(memory, Memory),
         "memory must be what another step left, or a run in its attribute"
