@@ -140,7 +140,8 @@ def solve_by_sweeps(
     a, b = matrix, offset
     own = np.diagonal(a, axis1=-2, axis2=-1)
     shape = np.broadcast_shapes(a.shape[:-1], b.shape, start.shape)
-    f = np.broadcast_to(start, shape) * (own > 0)
+    f = np.array(np.broadcast_to(start, shape))
+    f *= own > 0
     divisor = np.where(own > 0, own, np.inf)
     for _ in range(int(sweeps)):
         for i in range(f.shape[-1]):

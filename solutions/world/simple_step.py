@@ -63,9 +63,9 @@ def step_world(
     load = np.concatenate([push, np.broadcast_to(torque, push.shape)], axis=-1)
 
     contacts = collect_contacts(bodies, state, margin)
-    start = kept_impulses(memory, contacts)
+    kept = kept_impulses(memory, contacts)
     velocity, spin, impulse = respond(
-        bodies, state, contacts, load, dt, rest_speed, sweeps, start
+        bodies, state, contacts, load, dt, rest_speed, sweeps, kept
     )
 
     moving = position, orientation, velocity, spin
