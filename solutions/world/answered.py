@@ -24,10 +24,26 @@ def answered(
     rules: Rules,
     memory: Memory,
 ) -> tuple[Contacts, list[slice], Targets, Array]:
-    """The contacts of a step in their groups, what they have to reach, and e.
+    """The contacts of a step in their groups, and what they have to reach.
 
-    velocity, spin: (n, 3), with what the forces of the step add.
+    Parameters
+    ----------
+    bodies, state : the world, where the step begins
+    velocity, spin : (n, 3), m/s and rad/s
+        With what the forces of the step add.
+    dt : s
+    rules : how the world responds
+    memory : what the last step left
 
+    Returns
+    -------
+    contacts : m contacts, group by group
+    groups : where each group is in this order
+    targets : what their impulses have to reach
+    restitution : (m,), e
+
+    Notes
+    -----
     A contact that is to rebound does so in the step whose beginning is nearest
     to the touch. So it waits while the surfaces do not touch within half a
     step. All other contacts may close their gap. That of two bodies which pass
@@ -77,6 +93,16 @@ def driven_together(
 ) -> Booleans:
     """Which gaps other impulses close so fast that a rebound is due, (m,).
 
+    Parameters
+    ----------
+    contacts, rows, targets : m contacts of a step, and what they had to reach
+    restitution : (m,), e
+    impulse : (m, 3), what they were given, N s
+    dt : s
+    rules : how the world responds
+
+    Notes
+    -----
     To stop such bodies before they touch would take the speed with which they
     are to part. So they go on, and rebound in the next step. A gap that is
     closed from rest within half a step counts as none.
@@ -84,13 +110,10 @@ def driven_together(
     if rules.response == "penalty":
         return np.zeros(len(impulse), dtype=bool)
     free = targets.speed - impulse[:, 0] * rows.softness[:, 0, 0]
-    return np.asarray(
-        (contacts.separation > max(TOUCH, rules.rest_speed * dt / 2))
-        & ~targets.rebounds
-        & (impulse[:, 0] > 0)
-        & (restitution > 0)
-        & (free < -rules.rest_speed)
-    )
+    is_gap = contacts.separation > max(TOUCH, rules.rest_speed * dt / 2)
+    is_stopped = ~targets.rebounds & (impulse[:, 0] > 0)
+    would_rebound = (restitution > 0) & (free < -rules.rest_speed)
+    return is_gap & is_stopped & would_rebound
 
 
 def grouped(

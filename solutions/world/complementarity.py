@@ -218,8 +218,8 @@ def solve_by_pivots(matrix: Finite, offset: Finite) -> Array:
     changes A_ii by a share of 1e-10, of which a float keeps six digits.
     """
     _refuse_misfit(matrix, offset)
-    each = np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")
-    return each(matrix, offset)
+    solve = np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")
+    return solve(matrix, offset)
 
 
 def _lemke(a: Array, b: Array) -> Array:

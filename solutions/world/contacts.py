@@ -82,13 +82,13 @@ def find_contacts(
         lower - margin / 2, upper + margin / 2, bodies.group[pieces.body]
     )
     first, second = _can_collide(bodies, pairs)
-    found = []
+    parts = []
     for kinds, chosen in alike(pieces, first, second):
         a = placed(pieces, first[chosen], *places)
         b = placed(pieces, second[chosen], *places)
         touching = PAIRS[kinds](a, b, margin)
-        found.append(touching._replace(pair=chosen[touching.pair]))
-    contacts = _contacts(bodies, first, second, found)
+        parts.append(touching._replace(pair=chosen[touching.pair]))
+    contacts = _contacts(bodies, first, second, parts)
     hidden = _hidden(bodies, contacts, places)
     if not np.any(hidden):
         return contacts
@@ -157,14 +157,14 @@ def alike(
 
 
 def _contacts(
-    bodies: Bodies, first: Integers, second: Integers, found: list[Touching]
+    bodies: Bodies, first: Integers, second: Integers, parts: list[Touching]
 ) -> Contacts:
     """All places in touch, pair by pair in the order of the broad phase."""
-    if not found:
+    if not parts:
         none, no_vectors = np.zeros(0, dtype=np.int64), np.zeros((0, 3))
         return Contacts(none, none, no_vectors, no_vectors, np.zeros(0), none)
     pair, point, normal, separation, feature = (
-        np.concatenate(parts) for parts in zip(*found, strict=True)
+        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
     )
     a, b = first[pair], second[pair]
     key = (a * len(bodies.pieces.body) + b) * FEATURES + feature

@@ -55,7 +55,8 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     ends on both sides of the other's plane, in the same half of the sphere
     (Gregorius, *The Separating Axis Test between Convex Polyhedra*, 2013):
 
-        (l_B·d_A)(r_B·d_A) < 0,    (l_A·d_B)(r_A·d_B) < 0,
+        (l_B·d_A)(r_B·d_A) < 0
+        (l_A·d_B)(r_A·d_B) < 0
         (l_B·d_A)(r_A·d_B) < 0
 
     With d_A along l_A×r_A, the cross product of both edges is

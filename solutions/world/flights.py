@@ -41,7 +41,14 @@ class Flight(NamedTuple):
 def reach(
     bodies: Bodies, state: State, acceleration: Array, left: Array
 ) -> float:
-    """A gap that no two surfaces close in the time that is left, m."""
+    """A gap that no two surfaces close in the time that is left, m.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    acceleration : (n, 3), m/s²
+    left : (n,), the time that each body has, s
+    """
     pieces = bodies.pieces
     places = place_pieces(pieces, state.position, state.orientation)
     lower, upper = bounding_boxes(pieces, *places)
@@ -68,7 +75,18 @@ def held(
     left: Array,
     rules: Rules,
 ) -> Flight:
-    """How the bodies move if these contacts close no more than their gaps."""
+    """How the bodies move if these contacts close no more than their gaps.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    near, rows : all contacts near enough to matter, and their rows
+    kept : (k,), numbers of the contacts that are held
+    acceleration, angular_acceleration : (n, 3), m/s² and rad/s²
+        Of all forces except those of the contacts.
+    left : (n,), the time that each body has, s
+    rules : how the world responds
+    """
     order, groups = in_groups(
         rows.body_a[kept], rows.body_b[kept], bodies.inverse_mass > 0
     )
@@ -112,7 +130,20 @@ def until_next(
     clock: Integers,
     time: Array,
 ) -> Array:
-    """How long each group flies until a gap closes or a body turns far, s."""
+    """How long each group flies, until a gap closes or a body turns far, s.
+
+    Parameters
+    ----------
+    near, rows : all contacts near enough to matter, and their rows
+    watched : (k,), numbers of the contacts whose gap may close
+    flight : how the bodies move
+    clock : (n,), number of each body's group
+    time : (g,), the longest time, s
+
+    Notes
+    -----
+    The gap s closes where s + u t + a t²/2 is 0.
+    """
     a, b = near.body_a[watched], near.body_b[watched]
     gap = np.maximum(near.separation[watched], 0.0)
     apart = speeds(rows, flight.velocity, flight.angular_velocity)[watched, 0]
@@ -141,7 +172,17 @@ def backed_up(
     clock: Integers,
     time: Array,
 ) -> Array:
-    """The same times, s; where a flight ends in an overlap, when it begins."""
+    """The same times, (g,), s; where a flight ends in overlap, when it begins.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    near : all contacts where the flight begins
+    resting : (m,), which of them rest, and may overlap
+    flight : how the bodies move
+    clock : (n,), number of each body's group
+    time : (g,), how long each group would fly, s
+    """
     order = np.argsort(near.key)
     known = near.key[order]
     now = np.where(resting, -np.inf, np.minimum(near.separation, 0.0))

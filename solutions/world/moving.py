@@ -52,6 +52,16 @@ def pushed_apart(
 ) -> Array:
     """How far each body moves and turns out of overlaps, (n, 6), m and rad.
 
+    Parameters
+    ----------
+    rows, groups : of m contacts
+    separation : (m,), where the step begins, m
+    velocity, angular_velocity : (n, 3), at the end of the step, m/s and rad/s
+    dt : s
+    rules : how the world responds
+
+    Notes
+    -----
     It takes back a share of what will be deeper than the slop at the end of
     the step. It is a motion beside the velocities, and so it adds no kinetic
     energy. What it lifts has more potential energy afterwards.

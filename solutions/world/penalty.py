@@ -51,7 +51,7 @@ def solve_with_springs(
     **Along the normal** the force is `penalty_force`. Its damping c follows
     from e with the contact's own effective mass m = 1/K_nn, but c is at most
     critical, 2 √(k m). A contact that cannot pull then still has e = .135: a
-    smaller e is answered with that. The restitution is right for one contact.
+    smaller e acts like this one. The restitution is right for one contact.
     A box on four springs is four times as stiff, and its steps must be half as
     long: see `penalty_step_limit`.
 

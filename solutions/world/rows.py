@@ -72,7 +72,7 @@ def contact_rows(
     Newton's law of restitution leaves the normal speed no choice. So friction
     here acts along t − a n with a = K_nt/K_nn: the impulse that moves the
     points along the surface and leaves their normal speed alone. Then the two
-    do not disturb each other, and a contact has its answer in one turn.
+    do not disturb each other, and a contact is solved in one turn.
     Friction that opposes the slip itself needs the tangents, and so does a
     penalty contact.
     """

@@ -66,7 +66,7 @@ class Rules(NamedTuple):
     sleep_after : s, above 0
     sleep_size : m; a spin counts as a speed that far from the centre
     looks : how often a step in time order may back up the world
-        The rest of such a step is answered without rebound and without another
+        The rest of such a step is resolved without rebound and without another
         look.
     """
 

@@ -32,7 +32,7 @@ class Targets(NamedTuple):
 
     def rows(self, chosen: Integers) -> Targets:
         """What some of the contacts have to reach, in the order given."""
-        return Targets._make(each[chosen] for each in self)
+        return Targets._make(part[chosen] for part in self)
 
 
 def in_groups(

@@ -2,12 +2,12 @@
 
 A shape is a plain tuple: its kind, and then what that kind needs.
 
-    ("sphere", radius) ("capsule", radius, half_length)   about z; the round
-    ends lie beyond ("box", half_extents)              (3,), along its own axes
+    ("sphere", radius)
+    ("capsule", radius, half_length)   about z; the round ends lie beyond
+    ("box", half_extents)              (3,), along its own axes
     ("polyhedron", vertices, faces)    convex; faces counterclockwise
     ("half-space", normal)             all below the plane through its origin
-    ("compound", parts)                each part: (shape, position,
-    orientation)
+    ("compound", parts)                of (shape, position, orientation) each
 
 Lengths are in m. The faces of a polyhedron are seen from outside. The origin
 of a body is its centre of mass.

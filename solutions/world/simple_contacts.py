@@ -260,8 +260,9 @@ def collect_contacts(
     Notes
     -----
     A ball reaches as far as its radius r along every axis. A box with the half
-    extents h reaches as far along x as its farthest corner, R (±h_1, ±h_2,
-    ±h_3). Each sign may be chosen so that its term is positive. So it reaches
+    extents h reaches as far along x as its farthest corner,
+    R (±h_1, ±h_2, ±h_3). Each sign may be chosen so that its term is positive.
+    So it reaches
 
         |R_x1| h_1 + |R_x2| h_2 + |R_x3| h_3
 

@@ -65,7 +65,15 @@ def collide_with_friction(
     restitution: float,
     friction: float,
 ) -> tuple[Array, Array, Array, Array]:
-    """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction."""
+    """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction.
+
+    Parameters
+    ----------
+    body_a, body_b : a `Body` each, at the instant of the impact
+    normal : (3,), unit, from B to A
+    restitution : e, 0 to 1
+    friction : μ, a number
+    """
     u_a, u_b = (point_velocity(*body[:3]) for body in (body_a, body_b))
     u = relative_velocity(u_a, u_b)
     k_a, k_b = (

@@ -59,18 +59,21 @@ def solve_simultaneously(
         μ p − Σ β ≥ 0,     σ ≥ 0    a contact that slips uses all its friction
 
     These are complementary, too, and so it is one problem of m (2 + k)
-    unknowns, which Lemke's method solves. Where friction acts along d − (a·d)
-    n, the normal impulse is p − Σ β a·d. Then each β counts 1 + μ a·d times in
-    the last line. At a rebound, σ counts as often in the line before: these
-    are the conditions of the least energy.
+    unknowns, which Lemke's method solves. Where friction acts along
+    d − (a·d) n, the normal impulse is p − Σ β a·d. Then each β counts
+    1 + μ a·d times in the last line. At a rebound, σ counts as often in the
+    line before: these are the conditions of the least energy.
 
     A contact that slips with μ_s is solved a second time with μ_k.
 
-    **Energy.** Without friction the impulses do the work Σ p (u + u⁺)/2. Where
-    p > 0, u⁺ = −e u, so that a contact that approaches, u ≤ 0, takes (1 − e) p
-    |u|/2. This holds for unequal e as well. So the energy cannot rise if every
-    contact approaches or rests. It can if one parts, u > 0, and the others
-    drive it together again: its rule is u⁺ ≥ 0, and it gains p u/2.
+    **Energy.** Without friction the impulses do the work
+
+        Σ p (u + u⁺)/2
+
+    Where p > 0, u⁺ = −e u, so that a contact that approaches, u ≤ 0, takes (1
+    − e) p |u|/2. This holds for unequal e as well. So the energy cannot rise
+    if every contact approaches or rests. It can if one parts, u > 0, and the
+    others drive it together again: its rule is u⁺ ≥ 0, and it gains p u/2.
     `simultaneous_impacts` has such a row of balls; of 700 random heaps of five
     balls 14 gain energy, 9 % at most.
     """
