@@ -102,13 +102,14 @@ def not_zero(name: str, vector: ArrayLike) -> Array:
 
 
 def of_shape(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """Return an array of this shape of its own, into which the value is spread."""
+    """Return an own array of this shape, into which the value is spread."""
     array = real(name, value)
     try:
         return np.array(np.broadcast_to(array, shape))
     except ValueError:
         raise ValueError(
-            f"{name} must have the shape {shape}, or one that fits it, not {array.shape}"
+            f"{name} must have the shape {shape}, or one that fits it, not"
+            f" {array.shape}"
         ) from None
 
 

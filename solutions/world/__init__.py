@@ -1,4 +1,38 @@
-"""Everything in one world: bodies fall, collide, slide, roll, stack and rest."""
+"""Everything in one world: bodies fall, collide, slide, roll and rest.
+
+What a world is made of:
+
+- `make_bodies`: `Bodies`, with `Surfaces`, which do not change
+- `make_state`: the `State`, which each step changes
+- `mass_properties`, `in_principal_axes`: centre, moments and axes of a shape
+
+The lab's own world, in the order of its lesson:
+
+- `step_world`: forces, contacts, velocities, positions (slide 3)
+- `inverse_inertias`, `rotate_by_momentum`: a body turns freely (slide 18)
+- `candidate_pairs`, `manifolds`, `collect_contacts`: where bodies touch
+- `contacts_by_pair`, `contact_frames`: contacts of each two bodies, their rows
+- `collide_with_friction`: one impact
+- `propagate_impacts`, `simultaneous_impacts`: a row of balls (slide 21)
+- `inverse_mass_matrix`, `contact_jacobian`: M⁻¹ and J of all contacts
+- `resting_problem`: A and b of resting contacts (slide 22)
+- `complementarity_residual`: how far forces are from a solution
+- `solve_by_sweeps`: projected Gauss–Seidel; it may warn of `NotConverged`
+- `solve_by_pivots`: Lemke's method
+- `sequential_impulses`: sweeps with Coulomb friction
+- `respond`: impacts first, then rest (slides 21 and 22)
+- `kept_impulses`: with which impulses a step begins
+- `out_of_overlap`: what is deep inside is moved out
+
+The larger world, of many bodies and with all shapes and laws:
+
+- `advance_world`: one step, under `Rules`, with the `Memory` of the last one
+- `run_world`: many steps
+- `find_contacts`: its `Contacts` (slides 2, 9 and 17)
+- `pairs_in_grid`: the broad phase
+- `turned`, `turn_freely`: a turn, and a free flight of a turning body
+- `spring_forces`: of springs between points of bodies (slide 29)
+"""
 
 from solutions.world.bodies import (
     Bodies,

@@ -13,28 +13,27 @@ from solutions.world.in_flight import ANYWHERE, meet_in_flight
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import place_pieces, placed
 from solutions.world.rotation import turned
-from solutions.world.shapes import TOUCH, Found, Placed
+from solutions.world.shapes import TOUCH, Placed, Touching
 from solutions.world.vectors import cross
 
 
 def normal_speeds(
     contacts: Contacts, position: Array, velocity: Array, spin: Array
 ) -> Array:
-    """How fast the points of each contact part, (m,), m/s, as `speeds` has it."""
-    return np.asarray(
-        np.vecdot(contacts.normal, _apart(contacts, position, velocity, spin))
-    )
+    """How fast the points of each contact part, (m,), m/s; as in `speeds`."""
+    relative = _relative_velocity(contacts, position, velocity, spin)
+    return np.vecdot(contacts.normal, relative)
 
 
-def _apart(
+def _relative_velocity(
     contacts: Contacts, position: Array, velocity: Array, spin: Array
 ) -> Array:
     """The velocity of A's point less that of B's, (m, 3), m/s."""
     of_a, of_b = (
-        velocity[each] + cross(spin[each], contacts.point - position[each])
-        for each in (contacts.body_a, contacts.body_b)
+        velocity[body] + cross(spin[body], contacts.point - position[body])
+        for body in (contacts.body_a, contacts.body_b)
     )
-    return np.asarray(of_a - of_b)
+    return of_a - of_b
 
 
 def closing(
@@ -45,7 +44,7 @@ def closing(
     spin: Array,
     time: Array,
 ) -> tuple[Booleans, Booleans]:
-    """Which contacts close their gap in a free flight, and which of these touch.
+    """Which contacts close their gap in a free flight, and which touch.
 
     Parameters
     ----------
@@ -75,7 +74,7 @@ def closing(
     apart = np.flatnonzero(~closes)
     near = contacts.in_order(apart)
     gap, time = near.separation, time[apart]
-    slip = _apart(near, state.position, velocity, spin)
+    slip = _relative_velocity(near, state.position, velocity, spin)
     rate = np.vecdot(near.normal, slip)
     slip -= rate[:, None] * near.normal
     closes[apart] = gap + time * rate <= TOUCH
@@ -102,7 +101,7 @@ def _touch_in_flight(
     first: Array,
     last: Array,
 ) -> Booleans:
-    """Whether the pieces of each contact touch between two instants, (m,), s."""
+    """Whether each contact's pieces touch from `first` to `last`, (m,)."""
     touch = np.zeros(len(first), dtype=bool)
     one, other = pieces_of_contacts(bodies, contacts)
     for kinds, some in alike(bodies.pieces, one, other):
@@ -112,20 +111,20 @@ def _touch_in_flight(
             now: Array,
             some: Integers = some,
             kinds: tuple[int, int] = kinds,
-        ) -> tuple[Found, Array]:
+        ) -> tuple[Touching, Array]:
             a = _flown(bodies, state, one[some[chosen]], motion, now)
             b = _flown(bodies, state, other[some[chosen]], motion, now)
-            found = PAIRS[kinds](a.piece, b.piece, ANYWHERE)
-            apart = a.velocity_at(found.point, found.pair)
-            apart -= b.velocity_at(found.point, found.pair)
-            return found, np.vecdot(found.normal, apart)
+            places = PAIRS[kinds](a.piece, b.piece, ANYWHERE)
+            apart = a.velocity_at(places.point, places.pair)
+            apart -= b.velocity_at(places.point, places.pair)
+            return places, np.vecdot(places.normal, apart)
 
         touch[some], _ = meet_in_flight(nearest, first[some], last[some])
     return touch
 
 
 class _Flown(NamedTuple):
-    """Pieces, each at an instant of its own; centre (k, 3) is that of its body."""
+    """Pieces, each at its own instant; centre (k, 3) is that of its body."""
 
     piece: Placed
     centre: Array
@@ -133,7 +132,7 @@ class _Flown(NamedTuple):
     spin: Array
 
     def velocity_at(self, point: Array, chosen: Integers) -> Array:
-        """Velocities (m, 3) of points (m, 3) of the chosen pieces (m,), m/s."""
+        """Velocities of points (m, 3) of the chosen pieces (m,), m/s."""
         arm = point - self.centre[chosen]
         return self.velocity[chosen] + cross(self.spin[chosen], arm)
 
@@ -145,13 +144,11 @@ def _flown(
     motion: tuple[Array, Array],
     time: Array,
 ) -> _Flown:
-    """Pieces of one kind and hull, (k,), after free flights of so long, (k,), s."""
-    every, body, seconds = (
-        np.arange(len(number)),
-        bodies.pieces.body[number],
-        time[:, None],
-    )
-    velocity, spin = (each[body] for each in motion)
+    """Pieces (k,) of one kind and hull, each after a free flight, s."""
+    every = np.arange(len(number))
+    body = bodies.pieces.body[number]
+    seconds = time[:, None]
+    velocity, spin = (of_all[body] for of_all in motion)
     centre = state.position[body] + seconds * velocity
     orientation = turned(state.orientation[body], seconds * spin)
     own = bodies.pieces.rows(number)._replace(body=every)

@@ -36,16 +36,13 @@ def behind_sides(points: Array, corners: Array, normal: Array) -> Array:
     -----
     The cross product of the normal and a side points into the face.
     """
-    inward = cross(
-        normal[..., None, :], np.roll(corners, -1, axis=-2) - corners
-    )
+    sides = np.roll(corners, -1, axis=-2) - corners
+    inward = cross(normal[..., None, :], sides)
     length = np.sqrt(np.vecdot(inward, inward))[..., None]
     inward = np.divide(
         inward, length, out=np.zeros_like(inward), where=length > 0
     )
-    return np.asarray(
-        points @ inward.mT - np.vecdot(inward, corners)[..., None, :]
-    )
+    return points @ inward.mT - np.vecdot(inward, corners)[..., None, :]
 
 
 class Part(NamedTuple):
@@ -54,8 +51,8 @@ class Part(NamedTuple):
     Attributes
     ----------
     inside : (...), whether there is such a part
-    entry, leaving : (...), shares of the segment at which it begins and ends,
-    0 to 1
+    entry, leaving : (...), 0 to 1
+        The shares of the segment at which the part begins and ends.
     cut_in, cut_out : (...), whether a side cuts the segment there
     entry_side, leaving_side : (...), which side does so
     """
@@ -74,8 +71,8 @@ def clip(start: Array, end: Array, on: Array) -> Part:
 
     Parameters
     ----------
-    start, end : (..., s), how far the ends of the segment are behind each
-    side, m
+    start, end : (..., s), m
+        How far the ends of the segment are behind each side.
     on : (...), how far in front of a side an end still counts as on it, m
 
     Returns
@@ -95,15 +92,15 @@ def clip(start: Array, end: Array, on: Array) -> Part:
     near = on[..., None]
     before, after = start < -near, end < -near
     change = np.where(before != after, start - end, 1.0)
-    moved, true = (start + near) / change, np.clip(start / change, 0.0, 1.0)
+    moved = (start + near) / change
+    true = np.clip(start / change, 0.0, 1.0)
     entries = np.where(before, np.where(after, np.inf, moved), 0.0)
     leavings = np.where(after & ~before, moved, 1.0)
-    entry_side, leaving_side = (
-        np.argmax(entries, axis=-1),
-        np.argmin(leavings, axis=-1),
-    )
+    entry_side = np.argmax(entries, axis=-1)
+    leaving_side = np.argmin(leavings, axis=-1)
     entry, leaving = _at(entries, entry_side), _at(leavings, leaving_side)
-    cut_in, cut_out, inside = entry > 0, leaving < 1, entry <= leaving
+    inside = entry <= leaving
+    cut_in, cut_out = entry > 0, leaving < 1
     entry = np.where(cut_in, np.minimum(_at(true, entry_side), leaving), 0.0)
     leaving = np.where(cut_out, _at(true, leaving_side), 1.0)
     return Part(
@@ -113,6 +110,4 @@ def clip(start: Array, end: Array, on: Array) -> Part:
 
 def _at(values: Array, side: Integers) -> Array:
     """The value of one side of each segment."""
-    return np.asarray(
-        np.take_along_axis(values, side[..., None], axis=-1)[..., 0]
-    )
+    return np.take_along_axis(values, side[..., None], axis=-1)[..., 0]

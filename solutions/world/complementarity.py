@@ -9,10 +9,10 @@ import math
 import warnings
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.checks import finite, not_negative, whole
+from solutions.checks import not_negative
+from solutions.domain import Finite, Whole, domain, require
 
 NEGLIGIBLE = 1e-10
 """Share of the largest number below which one of Lemke's table counts as 0.
@@ -22,13 +22,14 @@ Rounding grows in the exchanges.
 LEAST_PIVOTS = (1e-8, 1e-11, 1e-14)
 """The smallest pivots of careful attempts, one after another.
 
-A smaller one multiplies rounding. But where masses differ by 1e10, a pivot of 1e-10 is
-no rounding.
+A smaller one multiplies rounding. But where masses differ by 1e10, a pivot of
+1e-10 is no rounding.
 """
 SOLVED, NEARLY = 1e-10, 1e-7
 """Shares of its terms by which rounding may change a row of A f + b.
 
-With the first no further attempt is made; with the second the best attempt is taken.
+With the first no further attempt is made; with the second the best attempt is
+taken.
 """
 CONVERGED = 1e-6
 """Share of the terms of a row that is left where sweeps have converged."""
@@ -37,21 +38,23 @@ FAINT = 1e-6
 UNMET = 0.05
 """Share of the largest |b_i| by which A f + b may miss what it has to be.
 
-Rounding of A and huge forces solve even a problem that has no solution, but for rows
-that they miss by about b itself.
+Rounding of A and huge forces solve even a problem that has no solution, but
+for rows that they miss by about b itself.
 """
 EXCHANGES, CAREFUL_EXCHANGES = 20, 5
-"""How many exchanges for each row an attempt may take. It usually takes about one."""
+"""How many exchanges an attempt may take for each row.
+
+It usually takes about one.
+"""
 
 
 class NotConverged(UserWarning):
     """The sweeps have ended before the forces were found."""
 
 
+@domain
 def complementarity_residual(
-    matrix: ArrayLike,
-    offset: ArrayLike,
-    force: ArrayLike,
+    matrix: Finite, offset: Finite, force: Finite
 ) -> Array:
     """How far forces are from a solution of the problem; zero for a solution.
 
@@ -71,8 +74,7 @@ def complementarity_residual(
     Raises
     ------
     ValueError
-        If the shapes do not fit, a number is not finite, or an A_ii is
-        negative.
+        If the shapes do not fit, or an A_ii is negative.
 
     Notes
     -----
@@ -82,23 +84,16 @@ def complementarity_residual(
     zero. The factor A_ii gives both numbers the same unit, so that they can be
     compared.
     """
-    a, b = _checked(matrix, offset)
-    f, own = finite("force", force), np.diagonal(a, axis1=-2, axis2=-1)
-    pressed = np.where(own > 0, own, 1.0) * f
-    return np.asarray(
-        np.max(
-            np.abs(np.minimum(pressed, np.matvec(a, f) + b)),
-            axis=-1,
-            initial=0.0,
-        )
-    )
+    _refuse_misfit(matrix, offset)
+    own = np.diagonal(matrix, axis1=-2, axis2=-1)
+    pressed = np.where(own > 0, own, 1.0) * force
+    parting = np.matvec(matrix, force) + offset
+    return np.max(np.abs(np.minimum(pressed, parting)), axis=-1, initial=0.0)
 
 
+@domain
 def solve_by_sweeps(
-    matrix: ArrayLike,
-    offset: ArrayLike,
-    sweeps: int,
-    start: ArrayLike = 0.0,
+    matrix: Finite, offset: Finite, sweeps: Whole, start: Finite = 0.0
 ) -> Array:
     """Forces that solve the problem, by projected Gauss–Seidel sweeps.
 
@@ -106,7 +101,7 @@ def solve_by_sweeps(
     ----------
     matrix : (..., m, m), A, 1/kg
     offset : (..., m), b, m/s²
-    sweeps : how often to go through all contacts
+    sweeps : how often to go through all contacts, a number
     start : (..., m), forces to begin with, such as those of the last step, N
 
     Returns
@@ -119,8 +114,7 @@ def solve_by_sweeps(
     Raises
     ------
     ValueError
-        If the shapes do not fit, a number is not finite, an A_ii is negative,
-        or sweeps is no whole number from 0.
+        If the shapes do not fit, or an A_ii is negative.
 
     Warns
     -----
@@ -142,24 +136,18 @@ def solve_by_sweeps(
     wrong by much. How fast it converges depends on A; for a tall stack it is
     slow.
     """
-    a, b = _checked(matrix, offset)
-    start = finite("start", start)
-    f = np.array(
-        np.broadcast_to(
-            start, np.broadcast_shapes(a.shape[:-1], b.shape, start.shape)
-        )
-    )
+    _refuse_misfit(matrix, offset)
+    a, b = matrix, offset
     own = np.diagonal(a, axis1=-2, axis2=-1)
+    shape = np.broadcast_shapes(a.shape[:-1], b.shape, start.shape)
+    f = np.array(np.broadcast_to(start, shape))
     f *= own > 0
     divisor = np.where(own > 0, own, np.inf)
-    count = int(
-        finite("sweeps", not_negative("sweeps", whole("sweeps", sweeps)))
-    )
-    for _ in range(count):
+    for _ in range(int(sweeps)):
         for i in range(f.shape[-1]):
             gap = np.vecdot(a[..., i, :], f) + b[..., i]
             f[..., i] = np.maximum(0.0, f[..., i] - gap / divisor[..., i])
-    _say_what_is_left(a, b, f, count)
+    _say_what_is_left(a, b, f, int(sweeps))
     return f
 
 
@@ -177,15 +165,16 @@ def _say_what_is_left(a: Array, b: Array, f: Array, sweeps: int) -> None:
     if np.any(wrong):
         worst = np.max(residual[wrong])
         warnings.warn(
-            f"{sweeps} sweeps have not converged: the accelerations are wrong by"
-            f" up to {worst:.2g} m/s² (complementarity_residual)",
+            f"{sweeps} sweeps have not converged: the accelerations are wrong"
+            f" by up to {worst:.2g} m/s² (complementarity_residual)",
             NotConverged,
-            stacklevel=3,
+            stacklevel=4,
         )
 
 
-def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
-    """Forces that solve the problem, by Lemke's method; exact except for rounding.
+@domain
+def solve_by_pivots(matrix: Finite, offset: Finite) -> Array:
+    """Forces that solve the problem, by Lemke's method; exact to rounding.
 
     Parameters
     ----------
@@ -202,18 +191,20 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If the shapes do not fit, a number is not finite, or an A_ii is
-        negative. If there are no such forces, as for contacts that are forced
-        into one another.
+        If the shapes do not fit, or an A_ii is negative. If there are no such
+        forces, as for contacts that are forced into one another.
 
     Notes
     -----
-    An artificial force z that acts on all rows, w = A f + b + z ≥ 0, makes f =
-    0 a solution. Then the pairs f_i and w_i take turns. Whenever one of a pair
-    leaves the basis, its partner enters next, until z itself leaves; this
-    takes finitely many exchanges. Ties are broken by the columns of w in their
-    order (lexicographically), so that redundant contacts do not make the
-    method go round in circles.
+    An artificial force z acts on all rows:
+
+        w = A f + b + z ≥ 0
+
+    It makes f = 0 a solution. Then the pairs f_i and w_i take turns. Whenever
+    one of a pair leaves the basis, its partner enters next, until z itself
+    leaves; this takes finitely many exchanges. Ties are broken by the columns
+    of w in their order (lexicographically), so that redundant contacts do not
+    make the method go round in circles.
 
     Rounding gathers in the table. Where two contacts are nearly the same, an
     exchange may then divide by what is rounding alone, and the result is no
@@ -226,14 +217,13 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
     No method is more precise than A. Next to a body of 1 kg, one of 1e10 kg
     changes A_ii by a share of 1e-10, of which a float keeps six digits.
     """
-    a, b = _checked(matrix, offset)
-    return np.asarray(
-        np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")(a, b)
-    )
+    _refuse_misfit(matrix, offset)
+    solve = np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")
+    return solve(matrix, offset)
 
 
 def _lemke(a: Array, b: Array) -> Array:
-    """Solve one problem; with more care where rounding has spoiled an attempt."""
+    """Solve one problem; with more care where rounding spoils an attempt."""
     if np.all(b >= 0):
         return np.zeros(len(b))
     best, forces, refused = math.inf, b, None
@@ -243,14 +233,14 @@ def _lemke(a: Array, b: Array) -> Array:
         scaled, right = a * np.outer(unit, unit), b * unit
         scale, size = np.max(np.abs(scaled)) or 1.0, np.max(np.abs(right))
         try:
-            found = _exchanged(scaled / scale, right / size, least)
-            found = unit * (found * size / scale)
+            scaled_forces = _exchanged(scaled / scale, right / size, least)
+            attempt = unit * (scaled_forces * size / scale)
         except ValueError as error:
             refused = refused or error
             continue
-        missed = _missed(a, b, found, even)
+        missed = _missed(a, b, attempt, even)
         if missed < best:
-            best, forces = missed, found
+            best, forces = missed, attempt
         if best <= SOLVED:
             break
     if best <= NEARLY:
@@ -264,9 +254,9 @@ def _lemke(a: Array, b: Array) -> Array:
 def _evened(a: Array) -> Array:
     """Units (m,) in which the largest number of each row and column is near 1.
 
-    The same units for rows and columns leave the problem as it is: f_i is over the
-    unit, (A f + b)_i times the unit, and A keeps the signs of its eigenvalues. They are
-    powers of two, so that no digit changes (Ruiz 2001).
+    The same units for rows and columns leave the problem as it is: f_i is over
+    the unit, (A f + b)_i times the unit, and A keeps the signs of its
+    eigenvalues. They are powers of two, so that no digit changes (Ruiz 2001).
     """
     unit = np.ones(len(a))
     for _ in range(5):
@@ -278,10 +268,11 @@ def _evened(a: Array) -> Array:
 
 
 def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
-    """By how much forces f ≥ 0 miss a solution, as a share of the terms of a row.
+    """By how much forces f ≥ 0 miss a solution, as a share of a row's terms.
 
-    A row may not be below zero, nor above zero where there is a force. Forces that are
-    small beside the others count as larger, because they may be rounding of these.
+    A row may not be below zero, nor above zero where there is a force. Forces
+    that are small beside the others count as larger, because they may be
+    rounding of these.
     """
     row = a @ forces + b
     wrong = np.where(forces > 0, np.abs(row), -row)
@@ -296,10 +287,10 @@ def _missed(a: Array, b: Array, forces: Array, unit: Array) -> float:
 
 
 def _exchanged(a: Array, b: Array, least: float | None) -> Array:
-    """Forces from exchanges in a table of the columns w, f, z and the right-hand side.
+    """Forces from exchanges in a table with the columns w, f and z.
 
-    With a least pivot the attempt is a careful one, which takes longer; see
-    `solve_by_pivots`.
+    The right-hand side is its last column. With a least pivot the attempt is a
+    careful one, which takes longer; see `solve_by_pivots`.
     """
     count = len(b)
     start = np.hstack([np.eye(count), -a, -np.ones((count, 1)), b[:, None]])
@@ -351,43 +342,35 @@ def _leaving_row(table: Array, entering: int) -> int:
 def _largest_pivot(
     table: Array, entering: int, is_z: Booleans, least: float
 ) -> int:
-    """Of the rows that reach zero first, to rounding, that with the largest pivot.
+    """The row with the largest pivot of those that reach zero first.
 
-    The row of z goes before all others, because it ends the search (Harris
-    1973).
+    First means: to rounding. The row of z goes before all others, because it
+    ends the search (Harris 1973).
     """
     rows = _falling_rows(table, entering, least)
     pivots, left = table[rows, entering], np.maximum(table[rows, -1], 0.0)
     first = left / pivots <= np.min((left + min(least, NEGLIGIBLE)) / pivots)
-    return int(
-        rows[
-            np.argmax(
-                np.where(first, np.where(is_z[rows], np.inf, pivots), 0.0)
-            )
-        ]
-    )
+    pivots = np.where(is_z[rows], np.inf, pivots)
+    return int(rows[np.argmax(np.where(first, pivots, 0.0))])
 
 
 def _falling_rows(table: Array, entering: int, least: float) -> Integers:
-    """The rows that fall towards zero, faster than `least`, as a column enters."""
+    """The rows that fall faster than `least` as a column enters."""
     rows = np.flatnonzero(table[:, entering] > least)
     if len(rows) == 0:
         raise ValueError("offset: no forces solve this problem")
     return rows
 
 
-def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:
-    a, b = finite("matrix", matrix), finite("offset", offset)
-    if a.ndim < 2 or b.ndim < 1 or a.shape[-2:] != (b.shape[-1], b.shape[-1]):
-        raise ValueError(
-            "matrix must be (..., m, m) for an offset (..., m), not"
-            f" {a.shape} for {b.shape}"
-        )
-    least = (
-        NEGLIGIBLE * np.max(np.abs(a), axis=(-2, -1), initial=0.0)[..., None]
+def _refuse_misfit(matrix: Array, offset: Array) -> None:
+    """Refuse shapes that do not fit each other, and a negative A_ii."""
+    rows = 2 * offset.shape[-1:]
+    require(
+        len(rows) == 2 and matrix.shape[-2:] == rows,
+        "matrix must be (..., m, m) for an offset (..., m), not"
+        f" {matrix.shape} for {offset.shape}",
     )
+    largest = np.max(np.abs(matrix), axis=(-2, -1), initial=0.0)[..., None]
+    own = np.diagonal(matrix, axis1=-2, axis2=-1)
     # A diagonal below zero by no more than rounding does no harm.
-    not_negative(
-        "diagonal of matrix", np.diagonal(a, axis1=-2, axis2=-1) + least
-    )
-    return a, b
+    not_negative("diagonal of matrix", own + NEGLIGIBLE * largest)

@@ -18,11 +18,11 @@ from solutions.world.pieces import (
     place_pieces,
     placed,
 )
-from solutions.world.shapes import Found
+from solutions.world.shapes import Touching
 
 
 class Contacts(NamedTuple):
-    """All contacts of an instant, m of them, in an order that repeats bit for bit.
+    """All m contacts of an instant, in an order that repeats bit for bit.
 
     Attributes
     ----------
@@ -42,10 +42,9 @@ class Contacts(NamedTuple):
 
     def in_order(self, order: Integers) -> Contacts:
         """Some of the contacts, or all of them in another order."""
-        a, b = self.body_a[order], self.body_b[order]
         return Contacts(
-            a,
-            b,
+            self.body_a[order],
+            self.body_b[order],
             self.point[order],
             self.normal[order],
             self.separation[order],
@@ -61,8 +60,7 @@ def find_contacts(
     Parameters
     ----------
     bodies, state : the world
-    margin : m
-        A gap up to which two surfaces count as a contact.
+    margin : a gap up to which two surfaces count as a contact, m
 
     Returns
     -------
@@ -84,26 +82,23 @@ def find_contacts(
         lower - margin / 2, upper + margin / 2, bodies.group[pieces.body]
     )
     first, second = _can_collide(bodies, pairs)
-    found = []
+    parts = []
     for kinds, chosen in alike(pieces, first, second):
-        a, b = first[chosen], second[chosen]
-        touching = PAIRS[kinds](
-            placed(pieces, a, *places), placed(pieces, b, *places), margin
-        )
-        found.append(touching._replace(pair=chosen[touching.pair]))
-    contacts = _contacts(bodies, first, second, found)
+        a = placed(pieces, first[chosen], *places)
+        b = placed(pieces, second[chosen], *places)
+        touching = PAIRS[kinds](a, b, margin)
+        parts.append(touching._replace(pair=chosen[touching.pair]))
+    contacts = _contacts(bodies, first, second, parts)
     hidden = _hidden(bodies, contacts, places)
-    return (
-        contacts.in_order(np.flatnonzero(~hidden))
-        if np.any(hidden)
-        else contacts
-    )
+    if not np.any(hidden):
+        return contacts
+    return contacts.in_order(np.flatnonzero(~hidden))
 
 
 def pieces_of_contacts(
     bodies: Bodies, contacts: Contacts
 ) -> tuple[Integers, Integers]:
-    """The convex pieces of A and of B that touch at each contact, (m,) each."""
+    """The convex pieces of A and of B that touch at each contact, (m,)."""
     a, b = np.divmod(contacts.key // FEATURES, len(bodies.pieces.body))
     return a, b
 
@@ -115,12 +110,12 @@ def _hidden(
     pieces = bodies.pieces
 
     def inside(number: Integers, point: Array) -> Booleans:
-        found = np.zeros(len(number), dtype=bool)
+        is_inside = np.zeros(len(number), dtype=bool)
         for hull in np.unique(pieces.hull[number]):
             some = np.flatnonzero(pieces.hull[number] == hull)
             piece = placed(pieces, number[some], *places)
-            found[some] = inside_hulls(piece, point[some])
-        return found
+            is_inside[some] = inside_hulls(piece, point[some])
+        return is_inside
 
     return hidden_places(
         (contacts.body_a, contacts.body_b),
@@ -135,15 +130,12 @@ def _hidden(
 
 
 def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
-    """The pieces A and B of the pairs that can collide; A has the lower kind."""
+    """The pieces A and B of pairs that can collide; A has the lower kind."""
     first, second = pairs[:, 0], pairs[:, 1]
     a, b = bodies.pieces.body[first], bodies.pieces.body[second]
     movable = bodies.inverse_mass[a] + bodies.inverse_mass[b] > 0
-    kept = (
-        (a != b)
-        & movable
-        & bodies.surfaces.collide[bodies.material[a], bodies.material[b]]
-    )
+    meet = bodies.surfaces.collide[bodies.material[a], bodies.material[b]]
+    kept = (a != b) & movable & meet
     first, second = first[kept], second[kept]
     turn = bodies.pieces.kind[first] > bodies.pieces.kind[second]
     return np.where(turn, second, first), np.where(turn, first, second)
@@ -152,32 +144,27 @@ def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
 def alike(
     pieces: Pieces, first: Integers, second: Integers
 ) -> list[tuple[tuple[int, int], Integers]]:
-    """Kinds of A and B, with the numbers of all pairs of these kinds and hulls."""
+    """Kinds of A and B, and the numbers of all pairs alike."""
     kind, hull = pieces.kind, pieces.hull
     most = len(pieces.hulls) + 1
-    signs = (
-        ((kind[first] * most + hull[first] + 1) * 8 + kind[second]) * most
-        + hull[second]
-        + 1
-    )
+    sign_a = kind[first] * most + hull[first] + 1
+    signs = (sign_a * 8 + kind[second]) * most + hull[second] + 1
     groups = [np.flatnonzero(signs == sign) for sign in np.unique(signs)]
     return [
-        ((int(kind[first[each[0]]]), int(kind[second[each[0]]])), each)
-        for each in groups
+        ((int(kind[first[group[0]]]), int(kind[second[group[0]]])), group)
+        for group in groups
     ]
 
 
 def _contacts(
-    bodies: Bodies, first: Integers, second: Integers, found: list[Found]
+    bodies: Bodies, first: Integers, second: Integers, parts: list[Touching]
 ) -> Contacts:
-    """All that was found, pair by pair in the order of the broad phase."""
-    if not found:
-        none = np.zeros(0, dtype=np.int64)
-        return Contacts(
-            none, none, np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), none
-        )
+    """All places in touch, pair by pair in the order of the broad phase."""
+    if not parts:
+        none, no_vectors = np.zeros(0, dtype=np.int64), np.zeros((0, 3))
+        return Contacts(none, none, no_vectors, no_vectors, np.zeros(0), none)
     pair, point, normal, separation, feature = (
-        np.concatenate(parts) for parts in zip(*found, strict=True)
+        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
     )
     a, b = first[pair], second[pair]
     key = (a * len(bodies.pieces.body) + b) * FEATURES + feature

@@ -29,10 +29,9 @@ class Crossing(NamedTuple):
     separation : (n,), m; −infinity if no two edges do
     normal : (n, 3), unit, from B to A
     point : (n, 3), halfway between the edges, m
-    feature : (n,)
-    touching : (n,), whether the edges themselves are nearest to each other
-    along the
-        normal, and not their prolongations
+    feature : (n,), a number that names the two edges
+    touching : (n,), whether the edges themselves touch, not their lines
+        They do if the points nearest to each other are along the normal.
     """
 
     separation: Array
@@ -56,7 +55,8 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     ends on both sides of the other's plane, in the same half of the sphere
     (Gregorius, *The Separating Axis Test between Convex Polyhedra*, 2013):
 
-        (l_B·d_A)(r_B·d_A) < 0,    (l_A·d_B)(r_A·d_B) < 0,
+        (l_B·d_A)(r_B·d_A) < 0
+        (l_A·d_B)(r_A·d_B) < 0
         (l_B·d_A)(r_A·d_B) < 0
 
     With d_A along l_A×r_A, the cross product of both edges is
@@ -72,11 +72,8 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     along_b, along_a = way_a @ b.normal.mT, a.normal @ way_b.mT
     left_b, right_b = (along_b[:, :, side] for side in b.edges.beside.T)
     left_a, right_a = (along_a[:, side] for side in a.edges.beside.T)
-    crossing = (
-        (left_b * right_b < 0)
-        & (left_a * right_a < 0)
-        & (left_b * right_a < 0)
-    )
+    crossing = (left_b * right_b < 0) & (left_a * right_a < 0)
+    crossing &= left_b * right_a < 0
     pair, edge_a, edge_b = np.nonzero(crossing)
     first, second = way_a[pair, edge_a], way_b[pair, edge_b]
     out = cross(first, second)
@@ -86,9 +83,8 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     pair, edge_a, edge_b = pair[real], edge_a[real], edge_b[real]
     towards_a = np.where(left_a[pair, edge_a, edge_b] > 0, -1.0, 1.0)
     normal = out[real] * (towards_a / length[real])[:, None]
-    separation = np.vecdot(
-        normal, starts_a[pair, edge_a] - starts_b[pair, edge_b]
-    )
+    between = starts_a[pair, edge_a] - starts_b[pair, edge_b]
+    separation = np.vecdot(normal, between)
     return _best(a, b, (pair, edge_a, edge_b), separation, normal)
 
 
@@ -100,35 +96,33 @@ def _best(
     normal: Array,
 ) -> Crossing:
     """The edges of each pair that separate best, and where they touch."""
-    count, (pair, edge_a, edge_b) = len(a.vertices), edges
+    count = len(a.vertices)
+    pair, edge_a, edge_b = edges
     order = np.lexsort((-separation, pair))
     best = order[np.flatnonzero(np.diff(pair[order], prepend=-1))]
     pair, edge_a, edge_b = pair[best], edge_a[best], edge_b[best]
     start_a, end_a = (a.vertices[pair, end] for end in a.edges.ends[edge_a].T)
     start_b, end_b = (b.vertices[pair, end] for end in b.edges.ends[edge_b].T)
-    share_a, share_b = nearest_on_segments(
-        start_a, end_a - start_a, start_b, end_b - start_b
-    )
-    point_a = start_a + share_a[:, None] * (end_a - start_a)
-    point_b = start_b + share_b[:, None] * (end_b - start_b)
+    way_a, way_b = end_a - start_a, end_b - start_b
+    share_a, share_b = nearest_on_segments(start_a, way_a, start_b, way_b)
+    point_a = start_a + share_a[:, None] * way_a
+    point_b = start_b + share_b[:, None] * way_b
     _, of_edges, row = feature_steps(a, b)
     beside = point_a - point_b - normal[best] * separation[best, None]
-    found = Crossing(
+    near = ON_EDGE * np.minimum(a.size, b.size)[pair]
+    crossing = Crossing(
         np.full(count, -np.inf),
         np.zeros((count, 3)),
         np.zeros((count, 3)),
         np.zeros(count, int),
         np.zeros(count, bool),
     )
-    found.separation[pair] = separation[best]
-    found.normal[pair] = normal[best]
-    found.point[pair] = (point_a + point_b) / 2
-    found.feature[pair] = of_edges + row * edge_a + edge_b
-    found.touching[pair] = (
-        np.vecdot(beside, beside)
-        <= (ON_EDGE * np.minimum(a.size, b.size)[pair]) ** 2
-    )
-    return found
+    crossing.separation[pair] = separation[best]
+    crossing.normal[pair] = normal[best]
+    crossing.point[pair] = (point_a + point_b) / 2
+    crossing.feature[pair] = of_edges + row * edge_a + edge_b
+    crossing.touching[pair] = np.vecdot(beside, beside) <= near**2
+    return crossing
 
 
 def _edge_ways(hull: Hull) -> tuple[Array, Array]:

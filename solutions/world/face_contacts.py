@@ -1,4 +1,4 @@
-"""Where two hulls touch face to face: the one face clipped on the sides of the other.
+"""Where two hulls touch face to face: one face is clipped on the other.
 
 The face whose normal is that of the contact is the reference face, and the
 face of the other hull that looks most nearly against it is the incident one.
@@ -47,7 +47,7 @@ class Places(NamedTuple):
     ----------
     point : (n, k, 3), halfway between the two surfaces, m
     separation : (n, k), m; infinite where there is no such place
-    feature : (n, k)
+    feature : (n, k), a number that names the place on the two hulls
     """
 
     point: Array
@@ -78,9 +78,9 @@ def face_contacts(
     first = _chosen(a, face_a, slots, 0, of_edges, row)
     second = _chosen(b, face_b, slots, of_b, 0, 1)
     on = ON_SIDE * np.minimum(a.size, b.size)
-    return _clipped(
-        _either(on_b, second, first), _either(on_b, first, second), on
-    )
+    reference = _either(on_b, second, first)
+    incident = _either(on_b, first, second)
+    return _clipped(reference, incident, on)
 
 
 def _chosen(
@@ -93,18 +93,19 @@ def _chosen(
 ) -> Faces:
     """One face of each hull; its last corner, repeated, fills the slots."""
     slot = np.minimum(np.arange(slots), hull.faces.shape[1] - 1)
-    numbers, pair = hull.faces[face[:, None], slot], np.arange(len(face))
-    following = numbers != np.roll(numbers, -1, axis=1)
+    numbers = hull.faces[face[:, None], slot]
+    pair = np.arange(len(face))
     return Faces(
         hull.vertices[pair[:, None], numbers],
         hull.normal[pair, face],
         of_vertices + numbers,
         of_edges + row * hull.edges.number[face[:, None], slot],
-        following,
+        numbers != np.roll(numbers, -1, axis=1),
     )
 
 
 def _either(chosen: Booleans, yes: Faces, no: Faces) -> Faces:
+    """One of two faces of each pair."""
     wide = chosen[:, None]
     return Faces(
         np.where(wide[..., None], yes.corners, no.corners),
@@ -125,10 +126,8 @@ def _clipped(reference: Faces, incident: Faces, on: Array) -> Places:
     outside where it is a corner of the reference face. So a corner that both
     have in common is neither lost nor counted twice.
     """
-    normal, near = (
-        reference.normal[:, None],
-        np.repeat(on[:, None], reference.edge.shape[1], axis=1),
-    )
+    normal = reference.normal[:, None]
+    near = np.repeat(on[:, None], reference.edge.shape[1], axis=1)
     way = np.roll(incident.corners, -1, axis=1) - incident.corners
     behind = behind_sides(
         incident.corners, reference.corners, reference.normal
@@ -140,42 +139,35 @@ def _clipped(reference: Faces, incident: Faces, on: Array) -> Places:
     # A side that only grazes a corner of the reference face is one place. One
     # that has just reached its own end is none, because the next side begins
     # there.
-    long = (part.leaving - part.entry) * np.sqrt(
-        np.vecdot(way, way)
-    ) > 4 * near
+    length = np.sqrt(np.vecdot(way, way))
+    long = (part.leaving - part.entry) * length > 4 * near
     begins = inside & (long | part.cut_out | ~part.cut_in)
     ends = inside & long & part.cut_out
     pair = np.arange(len(on))[:, None]
-    cut_by, cut_off_by = (
-        reference.edge[pair, part.entry_side],
-        reference.edge[pair, part.leaving_side],
-    )
+    cut_by = reference.edge[pair, part.entry_side]
+    cut_off_by = reference.edge[pair, part.leaving_side]
 
     # Seen against its own normal, the incident face runs the other way round.
     within = behind_sides(
         reference.corners, incident.corners, -reference.normal
     )
     slope = np.vecdot(incident.normal, reference.normal)[:, None]
-    covered = np.all(
-        (within > on[:, None, None]) | ~incident.real[:, None], axis=2
-    )
+    no_side = ~incident.real[:, None]
+    covered = np.all((within > on[:, None, None]) | no_side, axis=2)
     corners = reference.real & covered
-    below = np.vecdot(
-        incident.corners[:, :1] - reference.corners, incident.normal[:, None]
-    )
+    to_incident = incident.corners[:, :1] - reference.corners
+    below = np.vecdot(to_incident, incident.normal[:, None])
 
     on_incident = np.concatenate([begin, end], axis=1)
     height = np.vecdot(on_incident - reference.corners[:, :1], normal)
-    on_reference = np.concatenate(
-        [on_incident - height[..., None] * normal, reference.corners], axis=1
-    )
+    foot = on_incident - height[..., None] * normal
+    on_reference = np.concatenate([foot, reference.corners], axis=1)
     separation = np.concatenate([height, below / slope], axis=1)
     real = np.concatenate([begins, ends, corners], axis=1)
-    first = np.where(part.cut_in, incident.edge + cut_by, incident.vertex)
+    beginning = np.where(part.cut_in, incident.edge + cut_by, incident.vertex)
+    ending = incident.edge + cut_off_by
     return Places(
         on_reference + normal * (separation / 2)[..., None],
         np.where(real, separation, np.inf),
-        np.concatenate(
-            [first, incident.edge + cut_off_by, reference.vertex], axis=1
-        ),
+        np.concatenate([beginning, ending, reference.vertex], axis=1),
     )

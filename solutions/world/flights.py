@@ -7,13 +7,14 @@ from typing import NamedTuple
 import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
+from solutions.vectors import quotient
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, find_contacts
 from solutions.world.pieces import bounding_boxes, place_pieces
 from solutions.world.rotation import turn_freely
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
-from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.sequential import Targets, in_groups, solve_sequentially
 from solutions.world.shapes import TOUCH
 
 TURN = 0.25
@@ -40,22 +41,25 @@ class Flight(NamedTuple):
 def reach(
     bodies: Bodies, state: State, acceleration: Array, left: Array
 ) -> float:
-    """A gap that no two surfaces close in the time that is left, m."""
+    """A gap that no two surfaces close in the time that is left, m.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    acceleration : (n, 3), m/s²
+    left : (n,), the time that each body has, s
+    """
     pieces = bodies.pieces
-    lower, upper = bounding_boxes(
-        pieces, *place_pieces(pieces, state.position, state.orientation)
-    )
+    places = place_pieces(pieces, state.position, state.orientation)
+    lower, upper = bounding_boxes(pieces, *places)
     centre = state.position[pieces.body]
-    size = np.linalg.norm(
-        np.maximum(np.abs(lower - centre), np.abs(upper - centre)), axis=-1
-    )
-    angle = np.minimum(
-        np.linalg.norm(state.angular_velocity, axis=-1) * left, TURN
-    )
-    path = (
-        np.linalg.norm(state.velocity, axis=-1) * left
-        + np.linalg.norm(acceleration, axis=-1) * left**2 / 2
-    )
+    farthest = np.maximum(np.abs(lower - centre), np.abs(upper - centre))
+    size = np.linalg.norm(farthest, axis=-1)
+    spin = np.linalg.norm(state.angular_velocity, axis=-1)
+    angle = np.minimum(spin * left, TURN)
+    speed = np.linalg.norm(state.velocity, axis=-1)
+    gain = np.linalg.norm(acceleration, axis=-1)
+    path = speed * left + gain * left**2 / 2
     arc = angle[pieces.body] * np.where(np.isfinite(size), size, 0.0)
     return float(2 * np.max(path[pieces.body] + arc, initial=0.0)) + TOUCH
 
@@ -71,42 +75,43 @@ def held(
     left: Array,
     rules: Rules,
 ) -> Flight:
-    """How the bodies move if these contacts close no more than their gaps."""
+    """How the bodies move if these contacts close no more than their gaps.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    near, rows : all contacts near enough to matter, and their rows
+    kept : (k,), numbers of the contacts that are held
+    acceleration, angular_acceleration : (n, 3), m/s² and rad/s²
+        Of all forces except those of the contacts.
+    left : (n,), the time that each body has, s
+    rules : how the world responds
+    """
     order, groups = in_groups(
         rows.body_a[kept], rows.body_b[kept], bodies.inverse_mass > 0
     )
     kept = kept[order]
-    some = Rows._make(each[kept] for each in rows)
-    of_a, of_b, none = (
-        bodies.material[some.body_a],
-        bodies.material[some.body_b],
-        np.zeros(len(kept)),
-    )
-    static, kinetic = (
-        bodies.surfaces.static_friction[of_a, of_b],
-        bodies.surfaces.kinetic_friction[of_a, of_b],
-    )
+    some = Rows._make(array[kept] for array in rows)
+    of_a, of_b = bodies.material[some.body_a], bodies.material[some.body_b]
     seconds = np.where(left > 0, left, 1.0)[:, None]
     closing = np.maximum(near.separation[kept], 0.0) / seconds[some.body_a, 0]
-    wanted = Wanted(-closing, static, kinetic, none > 0)
+    targets = Targets(
+        -closing,
+        bodies.surfaces.static_friction[of_a, of_b],
+        bodies.surfaces.kinetic_friction[of_a, of_b],
+        np.zeros(len(kept), dtype=bool),
+    )
 
     def stopped(velocity: Array, spin: Array) -> tuple[Array, Array]:
-        return solve_sequentially(
-            some,
-            groups,
-            velocity,
-            spin,
-            wanted,
-            0.0,
-            rules.sweeps,
-            rules.tolerance,
-        )[:2]
+        sweeps, least = rules.sweeps, rules.tolerance
+        velocity, spin, _ = solve_sequentially(
+            some, groups, velocity, spin, targets, 0.0, sweeps, least
+        )
+        return velocity, spin
 
     velocity, spin = stopped(state.velocity, state.angular_velocity)
-    fast, turning = (
-        velocity + seconds * acceleration,
-        spin + seconds * angular_acceleration,
-    )
+    fast = velocity + seconds * acceleration
+    turning = spin + seconds * angular_acceleration
     fast_held, turning_held = stopped(fast, turning)
     # The difference is exactly 0 for a body that nothing touches.
     return Flight(
@@ -125,30 +130,36 @@ def until_next(
     clock: Integers,
     time: Array,
 ) -> Array:
-    """How long each group flies: until a gap closes or a body has turned far, s."""
+    """How long each group flies, until a gap closes or a body turns far, s.
+
+    Parameters
+    ----------
+    near, rows : all contacts near enough to matter, and their rows
+    watched : (k,), numbers of the contacts whose gap may close
+    flight : how the bodies move
+    clock : (n,), number of each body's group
+    time : (g,), the longest time, s
+
+    Notes
+    -----
+    The gap s closes where s + u t + a t²/2 is 0.
+    """
     a, b = near.body_a[watched], near.body_b[watched]
     gap = np.maximum(near.separation[watched], 0.0)
     apart = speeds(rows, flight.velocity, flight.angular_velocity)[watched, 0]
-    bend = np.vecdot(
-        near.normal[watched], flight.acceleration[a] - flight.acceleration[b]
-    )
+    relative = flight.acceleration[a] - flight.acceleration[b]
+    bend = np.vecdot(near.normal[watched], relative)
     inside = apart**2 - 2 * bend * gap
     root = np.sqrt(np.maximum(inside, 0.0))
     # Of the two forms of the root, the one in which nothing cancels.
-    over, under = (
-        np.where(apart > 0, apart + root, 2 * gap),
-        np.where(apart > 0, -bend, root - apart),
-    )
+    over = np.where(apart > 0, apart + root, 2 * gap)
+    under = np.where(apart > 0, -bend, root - apart)
     closes = (inside >= 0) & (under > 0)
     until = np.where(closes, over / np.where(closes, under, 1.0), np.inf)
     spin = np.linalg.norm(flight.angular_velocity, axis=-1)
     first = time.copy()
     np.minimum.at(first, clock[a], until)
-    np.minimum.at(
-        first,
-        clock,
-        np.where(spin > 0, TURN / np.where(spin > 0, spin, 1.0), np.inf),
-    )
+    np.minimum.at(first, clock, quotient(TURN, spin, np.inf))
     return first
 
 
@@ -161,27 +172,34 @@ def backed_up(
     clock: Integers,
     time: Array,
 ) -> Array:
-    """The same times; for a flight that ends in an overlap, when that begins, s."""
+    """The same times, (g,), s; where a flight ends in overlap, when it begins.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    near : all contacts where the flight begins
+    resting : (m,), which of them rest, and may overlap
+    flight : how the bodies move
+    clock : (n,), number of each body's group
+    time : (g,), how long each group would fly, s
+    """
     order = np.argsort(near.key)
-    allowed = (
-        np.where(resting, -np.inf, np.minimum(near.separation, 0.0)) - TOUCH
-    )[order]
+    known = near.key[order]
+    now = np.where(resting, -np.inf, np.minimum(near.separation, 0.0))
+    allowed = (now - TOUCH)[order]
 
     def overlaps(time: Array) -> Booleans:
-        there = find_contacts(
-            bodies, flown(bodies, state, flight, time[clock])
-        )
-        found = np.zeros(len(time), dtype=bool)
+        at_end = flown(bodies, state, flight, time[clock])
+        there = find_contacts(bodies, at_end)
         limit = np.full(len(there.key), -TOUCH)
         if len(order):
-            place = np.minimum(
-                np.searchsorted(near.key[order], there.key), len(order) - 1
-            )
-            limit = np.where(
-                near.key[order][place] == there.key, allowed[place], limit
-            )
-        found[clock[there.body_a[there.separation < limit]]] = True
-        return found
+            place = np.searchsorted(known, there.key)
+            place = np.minimum(place, len(order) - 1)
+            is_known = known[place] == there.key
+            limit = np.where(is_known, allowed[place], limit)
+        overlapping = np.zeros(len(time), dtype=bool)
+        overlapping[clock[there.body_a[there.separation < limit]]] = True
+        return overlapping
 
     late = overlaps(time)
     if not np.any(late):
@@ -190,10 +208,8 @@ def backed_up(
     for _ in range(FLIGHT_HALVINGS):
         middle = np.where(late, (before + after) / 2, time)
         deep = overlaps(middle)
-        before, after = (
-            np.where(deep, before, middle),
-            np.where(deep, middle, after),
-        )
+        before = np.where(deep, before, middle)
+        after = np.where(deep, middle, after)
     return np.where(late, after, time)
 
 
@@ -207,6 +223,5 @@ def flown(bodies: Bodies, state: State, flight: Flight, time: Array) -> State:
     spin = np.where(seconds > 0, spin + half, flight.angular_velocity)
     middle = flight.velocity + seconds / 2 * flight.acceleration
     velocity = flight.velocity + seconds * flight.acceleration
-    return State(
-        state.position + seconds * middle, orientation, velocity, spin
-    )
+    position = state.position + seconds * middle
+    return State(position, orientation, velocity, spin)

@@ -1,7 +1,7 @@
 """The forces of the lecture, acting on bodies of the world (slides 25 to 30).
 
-Each function returns the force on every body and the torque about its centre of mass.
-So the results of several functions add up:
+Each function returns the force on every body and the torque about its centre
+of mass. So the results of several functions add up:
 
     force, torque = np.sum([gravity_forces(…), spring_forces(…)], axis=0)
 """
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import positive
+from solutions.domain import Positive, domain
 from solutions.forces import (
     buoyancy,
     spring_damper_force,
@@ -24,15 +24,15 @@ from solutions.meshes import SpringMesh, mesh_forces
 from solutions.world.attachments import (
     AnyState,
     ForceAndTorque,
-    arrays_of,
     body_numbers,
     forces_at_points,
     point_motion,
 )
 
 
+@domain
 def gravity_forces(
-    state: AnyState, mass: ArrayLike, gravity: ArrayLike
+    state: AnyState, mass: Positive, gravity: ArrayLike
 ) -> ForceAndTorque:
     """Weight of each body (slide 25).
 
@@ -45,20 +45,14 @@ def gravity_forces(
     Returns
     -------
     force, torque : (..., n, 3) each, N and N m
-        The weight acts at the centre of mass and turns no body. An immovable body, of
-        infinite mass, is given no force.
-
-    Raises
-    ------
-    ValueError
-        If a mass is not positive, or a shape does not fit.
+        The weight acts at the centre of mass and turns no body. An immovable
+        body, of infinite mass, is given no force.
     """
-    mass = positive("mass", mass)
-    return _at_centres(
-        state, uniform_gravity(np.where(np.isfinite(mass), mass, 0.0), gravity)
-    )
+    movable = np.where(np.isfinite(mass), mass, 0.0)
+    return _at_centres(state, uniform_gravity(movable, gravity))
 
 
+@domain
 def drag_forces(
     state: AnyState,
     fluid_velocity: ArrayLike,
@@ -79,16 +73,13 @@ def drag_forces(
     force, torque : (..., n, 3) each, N and N m
         The drag of `stokes_drag` acts at the centre. The fluid brakes no spin.
 
-    Raises
-    ------
-    ValueError
-        As `stokes_drag`.
     """
-    return _at_centres(
-        state, stokes_drag(state[2], fluid_velocity, viscosity, radius)
-    )
+    _, _, velocity, _ = state
+    force = stokes_drag(velocity, fluid_velocity, viscosity, radius)
+    return _at_centres(state, force)
 
 
+@domain
 def buoyancy_forces(
     state: AnyState,
     volume: ArrayLike,
@@ -108,16 +99,13 @@ def buoyancy_forces(
     Returns
     -------
     force, torque : (..., n, 3) each, N and N m
-        The lift acts at the centre, where it turns no body: the fluid is everywhere.
-
-    Raises
-    ------
-    ValueError
-        As `buoyancy`.
+        The lift acts at the centre, where it turns no body: the fluid is
+        everywhere.
     """
     return _at_centres(state, buoyancy(volume, fluid_density, gravity))
 
 
+@domain
 def wind_forces(
     state: AnyState,
     wind: ArrayLike,
@@ -140,17 +128,13 @@ def wind_forces(
     -------
     force, torque : (..., n, 3) each, N and N m
         The force of `wind_force` acts at the centre and turns no body.
-
-    Raises
-    ------
-    ValueError
-        As `wind_force`.
     """
-    return _at_centres(
-        state, wind_force(state[2], wind, area, drag_coefficient, density)
-    )
+    _, _, velocity, _ = state
+    force = wind_force(velocity, wind, area, drag_coefficient, density)
+    return _at_centres(state, force)
 
 
+@domain
 def mesh_body_forces(
     state: AnyState, mesh: SpringMesh, body: ArrayLike
 ) -> ForceAndTorque:
@@ -160,21 +144,24 @@ def mesh_body_forces(
     ----------
     state : position, orientation, velocity, angular_velocity
     mesh : SpringMesh of k nodes
-        Only its springs and dampers count here. The masses are those of the bodies.
+        Only its springs and dampers count here. The masses are those of the
+        bodies.
     body : (k,), number of the body that is each node; no body twice
 
     Returns
     -------
     force, torque : (..., n, 3) each, N and N m
-        The springs are tied to the centres and turn no body. A node that the mesh calls
-        pinned is pulled like any other. To hold it, its body must be immovable.
+        The springs are tied to the centres and turn no body. A node that the
+        mesh calls pinned is pulled like any other. To hold it, its body must
+        be immovable.
 
     Raises
     ------
     ValueError
-        If there is no such body, one is named twice, or there is not one for each node.
+        If there is no such body, one is named twice, or there is not one for
+        each node.
     """
-    position, _, velocity, _ = arrays_of(state)
+    position, _, velocity, _ = state
     body = body_numbers("body", body, position.shape[-2], least=0)
     if len(np.unique(body)) < body.size:
         raise ValueError(f"body must not name a body twice: {body.tolist()}")
@@ -204,7 +191,8 @@ def spring_forces(
     state : position, orientation, velocity, angular_velocity
     body_a, body_b : (m,), number of the body at each end, or −1 for the world
     point_a, point_b : (m, 3), m
-        Where the end is tied, in the body's own frame; in the world frame for −1.
+        Where the end is tied, in the body's own frame; in the world frame for
+        −1.
     stiffness : (m,) or one for all, N/m, not negative
     rest_length : (m,) or one for all, m, not negative
     damping : (m,) or one for all, N s/m, not negative
@@ -217,34 +205,28 @@ def spring_forces(
     Raises
     ------
     ValueError
-        As `spring_damper_force`. Also if there is no such body, or a point is not
-        finite.
+        If there is no such body.
 
     Notes
     -----
-    `point_motion` gives the places and the velocities of the two ends, and from these
-    `spring_damper_force` gives the force F on end A. End B gets −F. `forces_at_points`
-    adds up what all ends do to each body.
+    `point_motion` gives the places and the velocities of the two ends, and
+    from these `spring_damper_force` gives the force F on end A. End B gets −F.
+    `forces_at_points` adds up what all ends do to each body.
 
-    The two forces are opposite and act along the same line. So a spring between two
-    bodies changes neither the momentum nor the angular momentum of the pair.
+    The two forces are opposite and act along the same line. So a spring
+    between two bodies changes neither the momentum nor the angular momentum of
+    the pair.
     """
     place_a, velocity_a = point_motion(state, body_a, point_a)
     place_b, velocity_b = point_motion(state, body_b, point_b)
-    on_a = spring_damper_force(
-        place_a,
-        place_b,
-        velocity_a,
-        velocity_b,
-        stiffness,
-        rest_length,
-        damping,
-    )
-    pulled_a = forces_at_points(state, body_a, place_a, on_a)
-    pulled_b = forces_at_points(state, body_b, place_b, -on_a)
-    return pulled_a[0] + pulled_b[0], pulled_a[1] + pulled_b[1]
+    ends = place_a, place_b, velocity_a, velocity_b
+    on_a = spring_damper_force(*ends, stiffness, rest_length, damping)
+    force_a, torque_a = forces_at_points(state, body_a, place_a, on_a)
+    force_b, torque_b = forces_at_points(state, body_b, place_b, -on_a)
+    return force_a + force_b, torque_a + torque_b
 
 
 def _at_centres(state: AnyState, force: Array) -> ForceAndTorque:
-    shape = arrays_of(state)[0].shape
+    """A force on each body that acts at its centre, and turns none."""
+    shape = state[0].shape
     return np.array(np.broadcast_to(force, shape)), np.zeros(shape)

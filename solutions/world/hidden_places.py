@@ -1,4 +1,4 @@
-"""Places of contact that no body can reach, because a neighbour is in front of them.
+"""Places of contact that no body can reach: a neighbour is in front of them.
 
 Two boxes lie side by side and make one level floor. A slab that lies on the
 first of them has sunk into it a little, by less than a step falls. So it
@@ -27,7 +27,7 @@ def inside_hulls(piece: Placed, point: Array) -> Booleans:
     """Whether each point (k, 3) is in its box or polyhedron, or on it."""
     hull = hull_of(piece)
     height = np.matvec(hull.normal, point) - hull.offset
-    return np.asarray(np.max(height, axis=1) <= TOUCH)
+    return np.max(height, axis=1) <= TOUCH
 
 
 def hidden_places(
@@ -60,8 +60,8 @@ def hidden_places(
     surface. Z keeps X above the plane through p' across n', because X is
     convex. Another piece of the same body may be below it. X cannot reach p if
 
-        n'·(p − p') ≤ 0,    p is not above this plane, and
-        p + λ t is not in Y,    Y does not go on above the plane.
+        n'·(p − p') ≤ 0         p is not above this plane, and
+        p + λ t is not in Y     Y does not go on above the plane
 
     Here t = n' − (n'·n) n is the way along Y's surface that leads out of the
     plane. The second condition keeps the floor Y in front of a wall Z, where a
@@ -77,32 +77,24 @@ def hidden_places(
         return np.zeros(count, dtype=bool)
     x, y = np.concatenate(piece), np.concatenate(piece[::-1])
     way = np.concatenate([normal, -normal])
-    place = np.concatenate([point, point]) - way * (
-        np.tile(separation, 2)[:, None] / 2
-    )
-    found = np.zeros(2 * count, dtype=bool)
-    of, by = _neighbours(
-        x,
-        y,
-        np.concatenate(body),
-        np.concatenate(body[::-1]),
-        way,
-        movable,
-        has_corners,
-    )
+    half = np.tile(separation, 2)[:, None] / 2
+    place = np.concatenate([point, point]) - way * half
+    body_x, body_y = np.concatenate(body), np.concatenate(body[::-1])
+    of, by = _neighbours(x, y, body_x, body_y, way, movable, has_corners)
+    is_hidden = np.zeros(2 * count, dtype=bool)
     if not len(of):
-        return found[:count]
+        return is_hidden[:count]
     height = np.vecdot(way[by], place[of] - place[by])
     out = way[by] - np.vecdot(way[by], way[of])[:, None] * way[of]
     steep = np.vecdot(out, out)
     below = np.flatnonzero((height <= TOUCH) & (steep > SAME_WAY))
     of, by = of[below], by[below]
     if not len(of):
-        return found[:count]
+        return is_hidden[:count]
     share = (2 * TOUCH - height[below]) / steep[below]
     above = place[of] + share[:, None] * out[below]
-    found[of[~inside(y[of], above)]] = True
-    hidden = found[:count] | found[count:]
+    is_hidden[of[~inside(y[of], above)]] = True
+    hidden = is_hidden[:count] | is_hidden[count:]
     return hidden & _all_of_each(hidden, *piece)
 
 

@@ -13,9 +13,9 @@ import numpy as np
 from solutions.arrays import Array, Integers
 from solutions.world.edge_contacts import edge_contacts
 from solutions.world.face_contacts import face_contacts
-from solutions.world.hulls import hull_of
+from solutions.world.hulls import Hull, hull_of
 from solutions.world.round_pairs import above_half_space
-from solutions.world.shapes import Found, Placed
+from solutions.world.shapes import Placed, Touching
 
 BIAS = 1e-3
 """Share of the smaller size by which an edge must be better than a face.
@@ -35,12 +35,12 @@ FEATURES = 1 << 16
 """Numbers that a feature may have."""
 
 
-def hull_half_space(a: Placed, b: Placed, margin: float) -> Found:
+def hull_half_space(a: Placed, b: Placed, margin: float) -> Touching:
     """Where boxes or polyhedra touch half-spaces: each vertex has a number."""
     return above_half_space(a.vertices, np.zeros(len(a.vertices)), b, margin)
 
 
-def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
+def hull_hull(a: Placed, b: Placed, margin: float) -> Touching:
     """Where boxes or polyhedra touch each other.
 
     They touch with a face of each, at up to as many places as both faces have
@@ -55,59 +55,44 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     normal of a face or of two edges, so that such a place is left out. In
     overlap the shortest way out is always along one of these normals.
     """
-    one, other = hull_of(a), hull_of(b)
-    over_a, face_a = _best_face(one.normal, one.offset, other.vertices)
-    over_b, face_b = _best_face(other.normal, other.offset, one.vertices)
+    hull_a, hull_b = hull_of(a), hull_of(b)
+    over_a, face_a = _best_face(hull_a, hull_b.vertices)
+    over_b, face_b = _best_face(hull_b, hull_a.vertices)
     pair = np.flatnonzero(np.maximum(over_a, over_b) <= margin)
-    one, other = one.rows(pair), other.rows(pair)
-    over_a, over_b, face_a, face_b = (
-        over_a[pair],
-        over_b[pair],
-        face_a[pair],
-        face_b[pair],
-    )
-    bias = BIAS * np.minimum(one.size, other.size)
+    hull_a, over_a, face_a = hull_a.rows(pair), over_a[pair], face_a[pair]
+    hull_b, over_b, face_b = hull_b.rows(pair), over_b[pair], face_b[pair]
+    bias = BIAS * np.minimum(hull_a.size, hull_b.size)
 
-    # One is the reference face. The other hull's face looks most nearly
-    # against it.
-    on_b, row = over_b >= over_a - bias, np.arange(len(pair))
-    out = np.where(
-        on_b[:, None], other.normal[row, face_b], one.normal[row, face_a]
-    )
-    face_a = np.where(
-        on_b, np.argmin(np.matvec(one.normal, out), axis=1), face_a
-    )
-    face_b = np.where(
-        on_b, face_b, np.argmin(np.matvec(other.normal, out), axis=1)
-    )
-    places, edges = (
-        face_contacts(one, other, face_a, face_b, on_b),
-        edge_contacts(one, other),
-    )
+    # One of the two faces is the reference face; of the other hull, the face
+    # counts that looks most nearly against it.
+    row = np.arange(len(pair))
+    on_b = over_b >= over_a - bias
+    out_a, out_b = hull_a.normal[row, face_a], hull_b.normal[row, face_b]
+    out = np.where(on_b[:, None], out_b, out_a)
+    against_a = np.argmin(np.matvec(hull_a.normal, out), axis=1)
+    against_b = np.argmin(np.matvec(hull_b.normal, out), axis=1)
+    face_a = np.where(on_b, against_a, face_a)
+    face_b = np.where(on_b, face_b, against_b)
+    places = face_contacts(hull_a, hull_b, face_a, face_b, on_b)
+    edges = edge_contacts(hull_a, hull_b)
 
+    # The contact is that of the faces, or that of two edges.
     normal = np.where(on_b[:, None], out, -out)
     by_edges = edges.separation > np.maximum(over_a, over_b) + bias
     by_edges &= np.vecdot(edges.normal, normal) < SAME_NORMAL
-    separation = np.concatenate(
-        [
-            np.where(by_edges[:, None], np.inf, places.separation),
-            np.where(by_edges & edges.touching, edges.separation, np.inf)[
-                :, None
-            ],
-        ],
-        axis=1,
-    )
+    of_faces = np.where(by_edges[:, None], np.inf, places.separation)
+    touching = by_edges & edges.touching
+    of_edges = np.where(touching, edges.separation, np.inf)
+    separation = np.concatenate([of_faces, of_edges[:, None]], axis=1)
     point = np.concatenate([places.point, edges.point[:, None]], axis=1)
-    feature = (
-        np.concatenate([places.feature, edges.feature[:, None]], axis=1)
-        % FEATURES
-    )
+    feature = np.concatenate([places.feature, edges.feature[:, None]], axis=1)
+    feature %= FEATURES
     normal = np.where(by_edges[:, None], edges.normal, normal)
 
     row, slot = np.nonzero(separation <= margin)
     order = np.argsort(row * FEATURES + feature[row, slot], kind="stable")
     row, slot = row[order], slot[order]
-    return Found(
+    return Touching(
         pair[row],
         point[row, slot],
         normal[row],
@@ -116,9 +101,8 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     )
 
 
-def _best_face(
-    normal: Array, offset: Array, vertices: Array
-) -> tuple[Array, Integers]:
+def _best_face(hull: Hull, vertices: Array) -> tuple[Array, Integers]:
     """How far a face separates a hull from vertices at best, and which one."""
-    heights = np.min(normal @ vertices.mT - offset[..., None], axis=2)
+    above = hull.normal @ vertices.mT - hull.offset[..., None]
+    heights = np.min(above, axis=2)
     return np.max(heights, axis=1), np.argmax(heights, axis=1)

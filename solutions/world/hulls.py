@@ -1,4 +1,4 @@
-"""Convex hulls: the planes of their faces, and which faces lie beside which edge."""
+"""Convex hulls: the planes of their faces, and the faces beside each edge."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from solutions.world.shapes import Placed
 from solutions.world.vectors import cross
 
 EVEN = 1e-6
-"""Share of a solid's size by which a vertex may lie in front of a face, by rounding."""
+"""Share of a solid's size by which a vertex may lie in front of a face.
+
+Rounding may have put it there.
+"""
 FLAT = 1e-9
 """Share of its size by which some vertex has to lie behind each face."""
 
@@ -23,13 +26,12 @@ class Edges(NamedTuple):
     Attributes
     ----------
     ends : (e, 2), numbers of vertices, the smaller first
-    beside : (e, 2), numbers of the faces to the left and to the right of each
-    edge
+    beside : (e, 2), numbers of the faces to the left and to the right
         This is how they are seen from outside by someone who walks from the
         first end to the second.
     number : (f, s), which edge runs from each corner of a face to the next
-    real : (f, s), False where a face repeats its last corner, so that there is
-    no edge
+    real : (f, s), False where a face repeats its last corner
+        There is no edge then.
     """
 
     ends: Integers
@@ -89,18 +91,12 @@ def hull_of(piece: Placed) -> Hull:
     normal /= np.sqrt(np.vecdot(normal, normal))[..., None]
     across = vertices - vertices[:, :1]
     size = np.sqrt(np.max(np.vecdot(across, across), axis=1))
-    return Hull(
-        vertices,
-        faces,
-        normal,
-        np.vecdot(normal, first),
-        size,
-        edges_of(faces),
-    )
+    offset = np.vecdot(normal, first)
+    return Hull(vertices, faces, normal, offset, size, edges_of(faces))
 
 
 def checked_solid(vertices: Array, faces: Integers) -> tuple[Array, Integers]:
-    """Return the vertices (v, 3) and faces (f, s) of a polyhedron; refuse all else.
+    """Return vertices (v, 3) and faces (f, s), if they are a polyhedron's.
 
     Raises
     ------
@@ -120,23 +116,15 @@ def checked_solid(vertices: Array, faces: Integers) -> tuple[Array, Integers]:
             f" {faces[wrong][0]}"
         )
     faces = faces.astype(np.int64)
+    nowhere = np.zeros((1, 3))
+    piece = Placed(nowhere, np.eye(3)[None], nowhere, vertices[None], faces)
     with np.errstate(invalid="ignore"):
-        hull = hull_of(
-            Placed(
-                np.zeros((1, 3)),
-                np.eye(3)[None],
-                np.zeros((1, 3)),
-                vertices[None],
-                faces,
-            )
-        )
+        hull = hull_of(piece)
     heights = (vertices @ hull.normal[0].T - hull.offset[0]).T
-    convex = (np.max(heights, axis=1) <= EVEN * hull.size) & (
-        np.min(heights, axis=1) < -FLAT * hull.size
-    )
-    if not np.all(
-        convex
-    ):  # also for a face without an area, whose heights are NaN
+    # The heights over a face without an area are NaN, and it is refused too.
+    convex = np.max(heights, axis=1) <= EVEN * hull.size
+    convex &= np.min(heights, axis=1) < -FLAT * hull.size
+    if not np.all(convex):
         face = faces[~convex][0].tolist()
         raise ValueError(
             "faces must bound a convex solid, counterclockwise from"
@@ -170,6 +158,5 @@ def _edges(content: bytes, shape: tuple[int, int]) -> Edges:
             "faces must bound a solid: each edge must have two faces, which"
             " run along it in opposite ways"
         )
-    return Edges(
-        np.column_stack(np.divmod(codes, count)), beside, number, real
-    )
+    ends = np.column_stack(np.divmod(codes, count))
+    return Edges(ends, beside, number, real)

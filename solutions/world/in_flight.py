@@ -7,13 +7,13 @@ from collections.abc import Callable
 import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.world.shapes import TOUCH, Found
+from solutions.world.shapes import TOUCH, Touching
 
 LOOKS = 40
 """How often a gap is looked at; a graze takes 20 from 1 mm to 1e-10 m."""
 ANYWHERE = 1e300
 """A margin within which two bodies have their places wherever they are, m."""
-NearestPlaces = Callable[[Integers, Array], tuple[Found, Array]]
+NearestPlaces = Callable[[Integers, Array], tuple[Touching, Array]]
 """Where the chosen pairs (k,) are nearest at some instants (k,), in s.
 
 Also how fast the two bodies part at each of these places, in m/s. A pair may
@@ -25,6 +25,11 @@ def meet_in_flight(
     nearest: NearestPlaces, first: Array, last: Array
 ) -> tuple[Booleans, Booleans]:
     """Which pairs touch between two instants, and which do not pass by then.
+
+    Parameters
+    ----------
+    nearest : where some of the pairs are nearest at instants of their own
+    first, last : (m,), the instants of each pair, s
 
     Returns
     -------
@@ -44,10 +49,11 @@ def meet_in_flight(
     for _ in range(LOOKS):
         if not len(some):
             break
-        found, rates = nearest(some, now)
-        order = np.lexsort((found.separation, found.pair))
-        closest = order[np.flatnonzero(np.diff(found.pair[order], prepend=-1))]
-        pair, gap = found.pair[closest], found.separation[closest]
+        places, rates = nearest(some, now)
+        order = np.lexsort((places.separation, places.pair))
+        is_first = np.diff(places.pair[order], prepend=-1)
+        closest = order[np.flatnonzero(is_first)]
+        pair, gap = places.pair[closest], places.separation[closest]
         rate = rates[closest]
         touch[some[pair[gap <= TOUCH]]] = True
         nearer = (gap > TOUCH) & (rate < 0)

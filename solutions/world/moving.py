@@ -9,10 +9,10 @@ from solutions.world.bodies import Bodies, State
 from solutions.world.rotation import turn_freely, turned
 from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
-from solutions.world.sequential import Wanted, solve_sequentially
+from solutions.world.sequential import Targets, solve_sequentially
 
 NEGLIGIBLE_DEPTH = 1e-12
-"""An overlap that is deeper than the slop by less than this, m, is no deeper."""
+"""An overlap deeper than the slop by less than this, m, counts as the slop."""
 
 
 def moved_on(
@@ -23,10 +23,11 @@ def moved_on(
     push: Array,
     dt: float,
 ) -> State:
-    """The state after a step with these velocities, and a push (n, 6) beside them.
+    """The state after a step with these velocities and a push (n, 6).
 
-    The position gains Δt v, with the velocity after the impulses (semi-implicit Euler);
-    the orientation turns so that the angular momentum stays what it is.
+    The position gains Δt v, with the velocity after the impulses
+    (semi-implicit Euler); the orientation turns so that the angular momentum
+    stays what it is.
     """
     position = state.position + dt * velocity + push[:, :3]
     orientation, spin = turn_freely(
@@ -49,34 +50,36 @@ def pushed_apart(
     dt: float,
     rules: Rules,
 ) -> Array:
-    """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
+    """How far each body moves and turns out of overlaps, (n, 6), m and rad.
 
-    It takes back a share of what will be deeper than the slop at the end of the step.
-    It is a motion beside the velocities, and so it adds no kinetic energy. What it
-    lifts has more potential energy afterwards.
+    Parameters
+    ----------
+    rows, groups : of m contacts
+    separation : (m,), where the step begins, m
+    velocity, angular_velocity : (n, 3), at the end of the step, m/s and rad/s
+    dt : s
+    rules : how the world responds
+
+    Notes
+    -----
+    It takes back a share of what will be deeper than the slop at the end of
+    the step. It is a motion beside the velocities, and so it adds no kinetic
+    energy. What it lifts has more potential energy afterwards.
     """
-    ahead = (
-        separation
-        + dt * speeds(rows, velocity, angular_velocity)[:, 0]
-        + rules.slop
-    )
-    nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
+    rate = speeds(rows, velocity, angular_velocity)[:, 0]
+    ahead = separation + dt * rate + rules.slop
     if not np.any(ahead < -NEGLIGIBLE_DEPTH):
         return np.zeros((len(velocity), 6))
-    # Here a speed is a way, m. Where less than the slop is left of an overlap, or a
-    # gap, other pushes may use up what is missing, and no more.
-    wanted = Wanted(
-        np.where(ahead < 0, -rules.recovery * ahead, -ahead),
-        none,
-        none,
-        none > 0,
-    )
+    # Here a speed is a way, m. Where less than the slop is left of an overlap,
+    # or a gap, other pushes may use up what is missing, and no more.
+    way = np.where(ahead < 0, -rules.recovery * ahead, -ahead)
+    smooth, at_rest = np.zeros(len(ahead)), np.zeros_like(velocity)
     along, about, _ = solve_sequentially(
         rows,
         groups,
-        nothing,
-        nothing,
-        wanted,
+        at_rest,
+        at_rest,
+        Targets(way, smooth, smooth, smooth > 0),
         0.0,
         rules.push_sweeps,
         rules.tolerance,

@@ -1,4 +1,4 @@
-"""Where pieces touch: one function for each two kinds of them (slides 9 and 17)."""
+"""Where pieces touch: a function for each two kinds (slides 9 and 17)."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from solutions.world.shapes import (
     HALF_SPACE,
     POLYHEDRON,
     SPHERE,
-    Found,
     Placed,
+    Touching,
 )
 
-PAIRS: dict[tuple[int, int], Callable[[Placed, Placed, float], Found]] = {
+PAIRS: dict[tuple[int, int], Callable[[Placed, Placed, float], Touching]] = {
     (SPHERE, SPHERE): sphere_sphere,
     (SPHERE, CAPSULE): sphere_capsule,
     (SPHERE, BOX): sphere_box,
@@ -40,10 +40,10 @@ PAIRS: dict[tuple[int, int], Callable[[Placed, Placed, float], Found]] = {
     (POLYHEDRON, POLYHEDRON): hull_hull,
     (POLYHEDRON, HALF_SPACE): hull_half_space,
 }
-"""For each two kinds, in their order, a function of pieces A, pieces B and a margin.
+"""For each two kinds, a function of pieces A, pieces B and a margin.
 
-Row i of A is paired with row i of B. The function returns all places at which the
-separation of the two is at most the margin: the pairs in ascending order, and the
-places of a pair in the order of their features. Two half-spaces, neither of which can
-move, have no function.
+Row i of A is paired with row i of B. The function returns all places at which
+the separation of the two is at most the margin: the pairs in ascending order,
+and the places of a pair in the order of their features. Two half-spaces,
+neither of which can move, have no function.
 """

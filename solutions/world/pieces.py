@@ -40,14 +40,15 @@ class Pieces(NamedTuple):
 
     Attributes
     ----------
-    body : (p,), to which each belongs
+    body : (p,), the body to which each belongs
     kind : (p,), SPHERE to HALF_SPACE
     size : (p, 3), m, as in `Placed`
     position : (p, 3), of its origin in the body's own axes, m
     rotation : (p, 3, 3), from its own axes to the body's
     hull : (p,), which of the hulls it is; −1 for a piece without corners
-    hulls : for each a pair of vertices (v, 3), in the piece's own axes, and faces
-        (f, s). All boxes have the same hull, ±1 along each axis, times their size.
+    hulls : the vertices (v, 3) and the faces (f, s) of each hull
+        In the piece's own axes, m. All boxes have the same hull, ±1 along each
+        axis, times their size.
     """
 
     body: Integers
@@ -74,53 +75,44 @@ class Pieces(NamedTuple):
 def pieces_of(shapes: Sequence[Shape]) -> Pieces:
     """The convex pieces of bodies with these shapes.
 
+    Parameters
+    ----------
+    shapes : n shapes, as `solutions.world.shapes` describes them
+
     Raises
     ------
     ValueError
-        If there is no such kind of shape, it has another number of parts, a size is not
-        positive and finite, or a polyhedron is none.
+        If there is no such kind of shape, it has another number of parts, a
+        size is not positive and finite, or a polyhedron is none.
     """
     body, kind, size, position, rotation, hull = [], [], [], [], [], []
     hulls: list[tuple[Array, Integers]] = [(BOX_VERTICES, BOX_FACES)]
     for number, whole in enumerate(shapes):
         for shape, place, turn in _convex(whole, np.zeros(3), np.eye(3)):
+            which, lengths, its_hull = HALF_SPACE, [0.0, 0.0, 0.0], -1
+            if shape[0] == "sphere":
+                which = SPHERE
+                lengths = [_length(shape[1]), 0.0, 0.0]
+            elif shape[0] == "capsule":
+                which = CAPSULE
+                lengths = [_length(shape[1]), _length(shape[2]), 0.0]
+            elif shape[0] == "box":
+                which, its_hull = BOX, 0
+                half_extents = vector("half_extents", shape[1])
+                lengths = [_length(half) for half in half_extents]
+            elif shape[0] == "polyhedron":
+                which = POLYHEDRON
+                vertices = in_space("vertices", shape[1])
+                its_hull = _place_of(hulls, vertices, shape[2])
+            else:
+                normal = unit("normal", vector("normal", shape[1]))
+                turn = turn @ _axes_along(normal)
             body.append(number)
+            kind.append(which)
+            size.append(lengths)
             position.append(place)
             rotation.append(turn)
-            if shape[0] == "sphere":
-                kind.append(SPHERE)
-                size.append([_length(shape[1]), 0.0, 0.0])
-                hull.append(-1)
-            elif shape[0] == "capsule":
-                kind.append(CAPSULE)
-                size.append([_length(shape[1]), _length(shape[2]), 0.0])
-                hull.append(-1)
-            elif shape[0] == "box":
-                kind.append(BOX)
-                size.append(
-                    [
-                        _length(each)
-                        for each in vector("half_extents", shape[1])
-                    ]
-                )
-                hull.append(0)
-            elif shape[0] == "polyhedron":
-                kind.append(POLYHEDRON)
-                size.append([0.0, 0.0, 0.0])
-                hull.append(
-                    _place_of(
-                        hulls,
-                        finite("vertices", vector("vertices", shape[1])),
-                        shape[2],
-                    )
-                )
-            else:
-                kind.append(HALF_SPACE)
-                size.append([0.0, 0.0, 0.0])
-                hull.append(-1)
-                rotation[-1] = turn @ _axes_along(
-                    unit("normal", vector("normal", shape[1]))
-                )
+            hull.append(its_hull)
     return Pieces(
         np.array(body, dtype=np.int64),
         np.array(kind, dtype=np.int64),
@@ -174,12 +166,10 @@ def _place_of(
     padded = np.array(
         [[*face, *[face[-1]] * (longest - len(face))] for face in faces]
     )
-    for place, (others, their_faces) in enumerate(hulls):
-        if (
-            place
-            and np.array_equal(others, vertices)
-            and np.array_equal(their_faces, padded)
-        ):
+    # The first is that of the boxes, whose vertices are multiplied by a size.
+    for place, (others, their_faces) in enumerate(hulls[1:], 1):
+        same = np.array_equal(others, vertices)
+        if same and np.array_equal(their_faces, padded):
             return place
     hulls.append(checked_solid(vertices, padded))
     return len(hulls) - 1
@@ -208,36 +198,30 @@ def place_pieces(
     rotation : (p, 3, 3), from its own axes to the world's
     """
     of_body = rotation_matrix(orientation)[pieces.body]
-    return position[pieces.body] + np.matvec(
-        of_body, pieces.position
-    ), of_body @ pieces.rotation
+    arm = np.matvec(of_body, pieces.position)
+    return position[pieces.body] + arm, of_body @ pieces.rotation
 
 
 def placed(
     pieces: Pieces, chosen: Integers, position: Array, rotation: Array
 ) -> Placed:
-    """Some pieces of one kind and one hull, (k,) numbers, where `place_pieces` says."""
-    at, turn, size, hull = (
-        position[chosen],
-        rotation[chosen],
-        pieces.size[chosen],
-        pieces.hull[chosen[0]],
-    )
+    """The chosen pieces (k,), of one kind and hull, at these places."""
+    at, turn, size = position[chosen], rotation[chosen], pieces.size[chosen]
+    hull = pieces.hull[chosen[0]]
     if hull < 0:
         return Placed(at, turn, size, np.zeros((len(chosen), 0, 3)), NO_FACES)
     corners, faces = pieces.hulls[hull]
-    own = (
-        corners * size[:, None, :]
-        if hull == 0
-        else np.broadcast_to(corners, (len(chosen), *corners.shape))
-    )
+    if hull == 0:
+        own = corners * size[:, None, :]
+    else:
+        own = np.broadcast_to(corners, (len(chosen), *corners.shape))
     return Placed(at, turn, size, at[:, None, :] + own @ turn.mT, faces)
 
 
 def bounding_boxes(
     pieces: Pieces, position: Array, rotation: Array
 ) -> tuple[Array, Array]:
-    """Lowest and highest corner, (p, 3) each, m, of a box around each piece."""
+    """Lowest and highest corner (p, 3) of a box around each piece, m."""
     middle, reach = position.copy(), np.zeros_like(position)
     for kind in np.unique(pieces.kind):
         chosen = np.flatnonzero(pieces.kind == kind)
@@ -255,5 +239,6 @@ def bounding_boxes(
                 some = chosen[pieces.hull[chosen] == hull]
                 corners = placed(pieces, some, position, rotation).vertices
                 low, high = np.min(corners, axis=1), np.max(corners, axis=1)
-                middle[some], reach[some] = (low + high) / 2, (high - low) / 2
+                middle[some] = (low + high) / 2
+                reach[some] = (high - low) / 2
     return middle - reach, middle + reach

@@ -7,20 +7,37 @@ rows.
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from solutions.arrays import Array
-from solutions.checks import finite, matrix, not_negative, unit, vector, whole
+from solutions.checks import finite, not_negative, unit, with_shape
+from solutions.domain import (
+    Finite,
+    FiniteNotNegative,
+    Matrix,
+    Number,
+    Triple,
+    Whole,
+    domain,
+)
+from solutions.vectors import quotient
+
+UnitRows = Annotated[Array, with_shape("m", 3), unit]
+"""(m, 3), of length 1 each."""
+InverseMasses = Annotated[Array, with_shape("n"), not_negative, finite]
+"""(n,), finite and not negative."""
 
 
+@domain
 def contact_jacobian(
-    body_a: ArrayLike,
-    body_b: ArrayLike,
-    direction: ArrayLike,
-    arm_a: ArrayLike,
-    arm_b: ArrayLike,
+    body_a: Number,
+    body_b: Number,
+    direction: UnitRows,
+    arm_a: Triple,
+    arm_b: Triple,
     bodies: int,
 ) -> Array:
     """Rows that turn the velocities of the bodies into u·d at each contact.
@@ -29,12 +46,12 @@ def contact_jacobian(
 
     Parameters
     ----------
-    body_a, body_b : (m,), numbers of the bodies from 0, −1 for the immovable
-    ground
+    body_a, body_b : (m,), numbers of the bodies from 0
+        Or −1 for the immovable ground.
     direction : (m, 3), d, unit
         The normal from B to A, or a direction along the surface.
     arm_a, arm_b : (m, 3), from each centre of mass to the contact, m
-    bodies : how many bodies there are
+    bodies : how many bodies there are, a number
 
     Returns
     -------
@@ -46,8 +63,7 @@ def contact_jacobian(
     Raises
     ------
     ValueError
-        If a number is not that of a body, a direction does not have length 1,
-        or a vector does not have three components.
+        If a number is not that of a body.
 
     Notes
     -----
@@ -62,26 +78,23 @@ def contact_jacobian(
     separation. The transpose of the matrix turns the contact forces into
     forces and torques on the bodies.
     """
-    rows = unit("direction", vector("direction", direction))
-    if rows.ndim != 2:
-        raise ValueError(f"direction must have shape (m, 3), not {rows.shape}")
-    jacobian = np.zeros((len(rows), bodies, 6))
+    m = len(direction)
+    jacobian = np.zeros((m, bodies, 6))
     for name, body, arm, sign in (
         ("body_a", body_a, arm_a, 1.0),
         ("body_b", body_b, arm_b, -1.0),
     ):
-        number = _numbers(name, body, len(rows), bodies)
+        number = _numbers(name, body, m, bodies)
         there = np.flatnonzero(number >= 0)
-        entries = np.concatenate(
-            [rows, np.cross(vector(name.replace("body", "arm"), arm), rows)],
-            axis=-1,
-        )
+        turn = np.cross(arm, direction)
+        entries = np.concatenate([direction, turn], axis=-1)
         jacobian[there, number[there]] += sign * entries[there]
-    return jacobian.reshape(len(rows), 6 * bodies)
+    return jacobian.reshape(m, 6 * bodies)
 
 
+@domain
 def inverse_mass_matrix(
-    inverse_mass: ArrayLike, inverse_inertia: ArrayLike
+    inverse_mass: InverseMasses, inverse_inertia: Matrix
 ) -> Array:
     """Inverse masses and inverse inertias of all bodies in one matrix, M⁻¹.
 
@@ -95,28 +108,18 @@ def inverse_mass_matrix(
     (6 n, 6 n)
         Body after body along the diagonal: 1/m three times, then I⁻¹; zero
         elsewhere.
-
-    Raises
-    ------
-    ValueError
-        If 1/m is negative or not finite, or the shapes do not fit.
     """
-    shares = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))
-    if shares.ndim != 1:
-        raise ValueError(
-            f"inverse_mass must have shape (n,), not {shares.shape}"
-        )
-    blocks = np.zeros((len(shares), 6, len(shares), 6))
-    each = np.arange(len(shares))
-    blocks[each, :3, each, :3] = shares[:, None, None] * np.eye(3)
-    blocks[each, 3:, each, 3:] = matrix("inverse_inertia", inverse_inertia)
-    return blocks.reshape(6 * len(shares), 6 * len(shares))
+    n = len(inverse_mass)
+    body = np.arange(n)
+    blocks = np.zeros((n, 6, n, 6))
+    blocks[body, :3, body, :3] = inverse_mass[:, None, None] * np.eye(3)
+    blocks[body, 3:, body, 3:] = inverse_inertia
+    return blocks.reshape(6 * n, 6 * n)
 
 
+@domain
 def resting_problem(
-    jacobian: ArrayLike,
-    inverse_mass: ArrayLike,
-    force: ArrayLike,
+    jacobian: Number, inverse_mass: Number, force: Number
 ) -> tuple[Array, Array]:
     """The complementarity problem that the forces of resting contacts solve.
 
@@ -139,30 +142,30 @@ def resting_problem(
     accelerations M⁻¹ (Gᵀ f + F). Multiplied by G, these are the accelerations
     along the normals, A f + b, with
 
-        A = G M⁻¹ Gᵀ,    b = G M⁻¹ F
+        A = G M⁻¹ Gᵀ
+        b = G M⁻¹ F
 
-    The forces solve a linear complementarity problem. A f + b ≥ 0: no body
-    accelerates into another. f ≥ 0: no contact pulls. f·(A f + b) = 0: a
-    contact that lifts off has no force. With a velocity in place of M⁻¹ F, the
-    same problem gives impulses.
+    The forces solve a linear complementarity problem:
+
+        A f + b ≥ 0         no body accelerates into another
+        f ≥ 0               no contact pulls
+        f·(A f + b) = 0     a contact that lifts off has no force
+
+    With a velocity in place of M⁻¹ F, the same problem gives impulses.
     """
-    g, w = (
-        np.asarray(jacobian, dtype=float),
-        np.asarray(inverse_mass, dtype=float),
-    )
-    return g @ w @ np.swapaxes(g, -1, -2), np.matvec(
-        g @ w, np.asarray(force, dtype=float)
-    )
+    g, w = jacobian, inverse_mass
+    return g @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w, force)
 
 
+@domain
 def sequential_impulses(
-    velocity: ArrayLike,
-    jacobian: ArrayLike,
-    inverse_mass: ArrayLike,
-    friction: ArrayLike,
-    sweeps: int = 50,
-    start: ArrayLike = 0.0,
-    least: ArrayLike = 0.0,
+    velocity: Finite,
+    jacobian: Number,
+    inverse_mass: Number,
+    friction: FiniteNotNegative,
+    sweeps: Whole = 50,
+    start: Number = 0.0,
+    least: Finite = 0.0,
 ) -> tuple[Array, Array]:
     """Velocities and impulses of resting contacts with friction (slide 22).
 
@@ -175,7 +178,7 @@ def sequential_impulses(
         surface.
     inverse_mass : (d, d), M⁻¹
     friction : (m,) or one number, μ
-    sweeps : how often to go through all contacts
+    sweeps : how often to go through all contacts, a number
     start : (m, 3), impulses to begin with, such as those of the last step, N s
     least : (m,) or one number, m/s
         The least speed along each normal that the impulses have to reach:
@@ -187,12 +190,6 @@ def sequential_impulses(
     impulse : (m, 3), along the normal and the two directions, N s
         None along a row that moves nothing, as between two immovable bodies.
 
-    Raises
-    ------
-    ValueError
-        If μ is negative or not finite, a velocity is not finite, or sweeps is
-        no whole number from 0.
-
     Notes
     -----
     The function goes through the contacts one after another, again and again.
@@ -203,55 +200,52 @@ def sequential_impulses(
     what an earlier one gave too much. The sum along the surface is clamped to
     the circle of radius μ j_n.
     """
-    v, rows = (
-        np.array(finite("velocity", velocity)),
-        np.asarray(jacobian, dtype=float),
-    )
-    mu = np.broadcast_to(
-        finite("friction", not_negative("friction", friction)), len(rows)
-    )
-    impulses = np.array(np.broadcast_to(start, (len(rows), 3)), dtype=float)
-    wanted = np.broadcast_to(finite("least", least), len(rows))
+    count = len(jacobian)
     # The velocities that unit impulses give, (m, 3, d), and what they change
     # at their own place, (m, 3, 3).
-    answers = rows @ np.asarray(inverse_mass, dtype=float)
-    v += np.tensordot(impulses, answers, axes=2)
-    own = answers @ rows.mT
+    answers = jacobian @ inverse_mass
+    own = answers @ jacobian.mT
     gained = np.diagonal(own, axis1=-2, axis2=-1)
-    masses = np.where(gained > 0, 1 / np.where(gained > 0, gained, 1.0), 0.0)
+    masses = np.where(gained > 0, quotient(1.0, gained), 0.0)
+    impulse = np.broadcast_to(start, (count, 3))
+    v = velocity + np.tensordot(impulse, answers, axes=2)
     # Three numbers at a time are faster in plain Python.
-    once = [each.tolist() for each in (masses, own[:, 1:, 0], mu, wanted)]
-    sums = impulses.tolist()
-    count = int(
-        finite("sweeps", not_negative("sweeps", whole("sweeps", sweeps)))
+    sums, masses, across, mu, least = (
+        array.tolist()
+        for array in (
+            impulse,
+            masses,
+            own[:, 1:, 0],
+            np.broadcast_to(friction, count),
+            np.broadcast_to(least, count),
+        )
     )
-    for _ in range(count):
-        for k, (mass, beside, limit, least_speed) in enumerate(
-            zip(*once, strict=True)
-        ):
-            speeds, (pressed, *rubbed) = (rows[k] @ v).tolist(), sums[k]
+    contacts = list(zip(masses, across, mu, least, strict=True))
+    for _ in range(int(sweeps)):
+        for k, (mass, beside, limit, least_speed) in enumerate(contacts):
+            speeds = (jacobian[k] @ v).tolist()
+            pressed, *rubbed = sums[k]
             normal = max(0.0, pressed - mass[0] * (speeds[0] - least_speed))
             more = normal - pressed
             first, second = (
                 rubbed[i] - mass[i + 1] * (speeds[i + 1] + more * beside[i])
                 for i in (0, 1)
             )
-            slip, most = math.hypot(first, second), limit * normal
-            if slip > most:  # as clamp_to_circle, which takes arrays
-                first, second = first * most / slip, second * most / slip
+            rub, most = math.hypot(first, second), limit * normal
+            if rub > most:  # as clamp_to_circle, which takes arrays
+                first, second = first * most / rub, second * most / rub
             v += (more, first - rubbed[0], second - rubbed[1]) @ answers[k]
             sums[k] = [normal, first, second]
-    return v, np.array(sums, dtype=float).reshape(impulses.shape)
+    return v, np.array(sums, dtype=float).reshape(count, 3)
 
 
 def _numbers(
-    name: str, body: ArrayLike, contacts: int, bodies: int
+    name: str, body: Array, contacts: int, bodies: int
 ) -> NDArray[np.int_]:
     """The numbers of bodies, (m,); refuse one that is not that of a body."""
-    number = np.broadcast_to(np.asarray(body, dtype=float), contacts)
-    wrong = ~(
-        (number >= -1) & (number < bodies) & (number == np.floor(number))
-    )
+    number = np.broadcast_to(body, contacts)
+    right = (number >= -1) & (number < bodies) & (number == np.floor(number))
+    wrong = ~right
     if np.any(wrong):
         raise ValueError(
             f"{name} must be a number of a body, -1 to {bodies - 1}, not"

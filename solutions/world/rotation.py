@@ -1,23 +1,18 @@
-"""Bodies that turn freely: the angular momentum stays, the spin does not (slide 18)."""
+"""A free body keeps its angular momentum, but not its spin (slide 18)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
-from solutions.checks import (
-    finite,
-    in_space,
-    matrix,
-    not_negative,
-    unit,
-    vector,
-)
+from solutions.domain import Finite, Matrix, Quaternion, Vector, domain
+from solutions.impulse.inertia import Moments
+from solutions.vectors import quotient
 from solutions.world.vectors import cross
 
 
-def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
+@domain
+def turned(orientation: Quaternion, rotation: Vector) -> Array:
     """Orientation of a body that is turned further, about a world axis.
 
     Parameters
@@ -31,30 +26,21 @@ def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
     (..., 4), unit quaternion w, x, y, z
         A rotation of 0 leaves the orientation as it is, to rounding.
 
-    Raises
-    ------
-    ValueError
-        If a quaternion does not have four components or does not have length
-        1, or a rotation is not finite or does not have three components.
-
     Notes
     -----
     A turn by the angle θ about the unit vector n is the quaternion
 
-        (cos θ/2, n sin θ/2) = (cos θ/2, w sin(θ/2)/θ)    with the rotation w =
-        n θ
+        (cos θ/2, n sin θ/2) = (cos θ/2, w sin(θ/2)/θ)
 
-    As θ goes to 0, the quotient goes to ½, and `np.sinc` uses this limit. The
-    formula is exact for an angle of any size. The turn that comes later is the
-    left factor of the `quaternion_product`.
+    with the rotation w = n θ. As θ goes to 0, the quotient goes to ½, and
+    `np.sinc` uses this limit. The formula is exact for an angle of any size.
+    The turn that comes later is the left factor of the `quaternion_product`.
     """
-    return _product(
-        _turn_of(in_space("rotation", rotation)),
-        _quaternion("orientation", orientation),
-    )
+    return _product(_turn_of(rotation), orientation)
 
 
-def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
+@domain
+def quaternion_product(second: Quaternion, first: Quaternion) -> Array:
     """One rotation after another, as one rotation.
 
     Parameters
@@ -67,12 +53,6 @@ def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
     -------
     (..., 4), unit quaternion w, x, y, z
 
-    Raises
-    ------
-    ValueError
-        If a quaternion does not have four components or does not have length
-        1.
-
     Notes
     -----
     Written as a number a and a vector p, the product of (a, p) and (b, q) is
@@ -83,59 +63,57 @@ def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
     quaternions has length 1. The function divides by its length nevertheless,
     since roundings would add up over many steps.
     """
-    return _product(_quaternion("second", second), _quaternion("first", first))
+    return _product(second, first)
 
 
-def orientation_of(rotation: ArrayLike) -> Array:
+@domain
+def orientation_of(rotation: Matrix) -> Array:
     """Quaternion of a rotation matrix: the inverse of `rotation_matrix`.
 
     Parameters
     ----------
-    rotation : (..., 3, 3), R, whose columns are the body's axes as seen in the
-    world
-        They are perpendicular, of unit length and right-handed.
+    rotation : (..., 3, 3), R
+        Its columns are the body's axes as seen in the world: perpendicular, of
+        unit length and right-handed.
 
     Returns
     -------
     (..., 4), unit quaternion w, x, y, z, or its opposite, which means the same
 
-    Raises
-    ------
-    ValueError
-        If a matrix is not finite or not of the shape (..., 3, 3).
-
     Notes
     -----
-    The diagonal of R = 1 + 2 w [q×] + 2 [q×]² and the sums and differences of
-    the other numbers across it give the products of any two components of the
-    quaternion. For example, R₃₂ − R₂₃ = 4 w x, R₂₁ + R₁₂ = 4 x y and 1 + R₁₁ +
-    R₂₂ + R₃₃ = 4 w². All sixteen products together are a matrix each row of
+    The numbers of R = 1 + 2 w [q×] + 2 [q×]² give the products of any two
+    components of the quaternion. For example,
+
+        R₃₂ − R₂₃ = 4 w x
+        R₂₁ + R₁₂ = 4 x y
+        1 + R₁₁ + R₂₂ + R₃₃ = 4 w²
+
+    All sixteen products together are a matrix each row of
     which is a multiple of the quaternion. The function takes the row with the
     largest square, because this row has lost the fewest digits.
     """
-    r = matrix("rotation", rotation)
-    transposed, trace = (
-        np.swapaxes(r, -1, -2),
-        np.trace(r, axis1=-2, axis2=-1)[..., None, None],
-    )
+    r = rotation
+    transposed = np.swapaxes(r, -1, -2)
+    trace = np.trace(r, axis1=-2, axis2=-1)[..., None, None]
+    with_w = (r - transposed)[..., [2, 0, 1], [1, 2, 0]]
     products = np.empty((*r.shape[:-2], 4, 4))
     products[..., 0, 0] = 1 + trace[..., 0, 0]
-    products[..., 0, 1:] = products[..., 1:, 0] = (r - transposed)[
-        ..., [2, 0, 1], [1, 2, 0]
-    ]
+    products[..., 0, 1:] = with_w
+    products[..., 1:, 0] = with_w
     products[..., 1:, 1:] = r + transposed + (1 - trace) * np.eye(3)
     largest = np.argmax(np.diagonal(products, axis1=-2, axis2=-1), axis=-1)
-    row = np.take_along_axis(products, largest[..., None, None], axis=-2)[
-        ..., 0, :
-    ]
-    return np.asarray(row / np.linalg.norm(row, axis=-1, keepdims=True))
+    row = np.take_along_axis(products, largest[..., None, None], axis=-2)
+    row = row[..., 0, :]
+    return row / np.linalg.norm(row, axis=-1, keepdims=True)
 
 
+@domain
 def turn_freely(
-    orientation: ArrayLike,
-    angular_velocity: ArrayLike,
-    moments: ArrayLike,
-    dt: ArrayLike,
+    orientation: Quaternion,
+    angular_velocity: Vector,
+    moments: Moments,
+    dt: Finite,
 ) -> tuple[Array, Array]:
     """Turn bodies on which no torque acts, over a time dt (slide 18).
 
@@ -161,17 +139,12 @@ def turn_freely(
         momentum is zero and says nothing of the spin. The body keeps its spin
         about this axis and takes it along.
 
-    Raises
-    ------
-    ValueError
-        If a quaternion does not have length 1, a moment is negative or not a
-        number, something else is not finite, or a shape does not fit.
-
     Notes
     -----
     The angular momentum in the world frame is
 
-        L = I(q) ω,    I(q) = R I_body Rᵀ
+        L = I(q) ω
+        I(q) = R I_body Rᵀ
 
     Without a torque, L is constant. As the body turns, R changes. So I(q)
     changes, and ω = I⁻¹(q) L must change too. A program that keeps ω instead
@@ -207,25 +180,14 @@ def turn_freely(
     large spin about the long axis. There such a rule gains energy, and at
     coarse steps it finds nothing.
     """
-    q, w = (
-        _quaternion("orientation", orientation),
-        in_space("angular_velocity", angular_velocity),
-    )
-    moments, dt = (
-        not_negative("moments", vector("moments", moments)),
-        finite("dt", dt)[..., None],
-    )
-    shape = np.broadcast_shapes(
-        *(array.shape[:-1] for array in (q, w, moments, dt))
-    )
+    given = orientation, angular_velocity, moments, dt[..., None]
+    shape = np.broadcast_shapes(*(array.shape[:-1] for array in given))
     q, w, moments, dt = (
-        np.broadcast_to(array, (*shape, array.shape[-1]))
-        for array in (q, w, moments, dt)
+        np.broadcast_to(array, (*shape, array.shape[-1])) for array in given
     )
     q_after, w_after = turned(q, w * dt), w.copy()
-    tumbling = np.any(moments != moments[..., :1], axis=-1) & np.all(
-        np.isfinite(moments), axis=-1
-    )
+    unequal = np.any(moments != moments[..., :1], axis=-1)
+    tumbling = unequal & np.all(np.isfinite(moments), axis=-1)
     if np.any(tumbling):
         q_after[tumbling], w_after[tumbling] = _tumbled(
             q[tumbling], w[tumbling], moments[tumbling], dt[tumbling]
@@ -236,60 +198,43 @@ def turn_freely(
 def _tumbled(
     q: Array, w: Array, moments: Array, dt: Array
 ) -> tuple[Array, Array]:
-    """The same for n bodies with finite moments, not all equal; dt is (n, 1)."""
-    has_moment, own = moments > 0, _in_its_axes(q, w)
+    """The same for n bodies with finite, unequal moments; dt is (n, 1)."""
+    has_moment = moments > 0
+    own = _in_its_axes(q, w)
     momentum = _in_the_world(q, moments * own)
-    per_moment = np.where(
-        has_moment, 1 / np.where(has_moment, moments, 1.0), 0.0
-    )
+    a = quotient(1.0, moments)
 
     def turned_about_own(
         orientation: Array, share: Array, time: Array
     ) -> Array:
-        """Orientation after a part of the energy, (a − a_j) M²/2, has acted alone."""
-        return _product(
-            orientation,
-            _turn_of(time * share * _in_its_axes(orientation, momentum)),
-        )
+        """Orientation after a part (a − a_j) M²/2 of the energy alone."""
+        turn = time * share * _in_its_axes(orientation, momentum)
+        return _product(orientation, _turn_of(turn))
 
-    axis_i, axis_j, axis_k = _axes(per_moment, has_moment)
-    as_a_ball = np.sum(
-        np.where(axis_j, per_moment, 0.0), axis=-1, keepdims=True
-    )
-    second, third = (
-        np.where(axis, per_moment - as_a_ball, 0.0)
-        for axis in (axis_k, axis_i)
-    )
-    q_after = turned_about_own(q, third, dt / 2)
-    q_after = _product(
-        _turn_of(as_a_ball * momentum * dt),
-        turned_about_own(q_after, second, dt),
-    )
-    q_after = turned_about_own(q_after, third, dt / 2)
-    w_after = _in_the_world(
-        q_after, per_moment * _in_its_axes(q_after, momentum)
-    )
+    axis_i, axis_j, axis_k = _axes(a, has_moment)
+    a_j = np.sum(np.where(axis_j, a, 0.0), axis=-1, keepdims=True)
+    second = np.where(axis_k, a - a_j, 0.0)
+    third = np.where(axis_i, a - a_j, 0.0)
+    q = turned_about_own(q, third, dt / 2)
+    q = turned_about_own(q, second, dt)
+    q = _product(_turn_of(a_j * momentum * dt), q)
+    q = turned_about_own(q, third, dt / 2)
+    w = _in_the_world(q, a * _in_its_axes(q, momentum))
     if not np.all(has_moment):
-        unknown_to_momentum = _in_the_world(
-            q_after, np.where(has_moment, 0.0, own)
-        )
-        q_after, w_after = (
-            _product(_turn_of(unknown_to_momentum * dt), q_after),
-            w_after + unknown_to_momentum,
-        )
-    return q_after, w_after
+        unknown_to_momentum = _in_the_world(q, np.where(has_moment, 0.0, own))
+        q = _product(_turn_of(unknown_to_momentum * dt), q)
+        w = w + unknown_to_momentum
+    return q, w
 
 
 def _axes(
-    per_moment: Array, has_moment: Booleans
+    a: Array, has_moment: Booleans
 ) -> tuple[Booleans, Booleans, Booleans]:
     """Which of its axes are i, j and k of each body, (n, 3) each."""
-    a = np.where(
-        has_moment, per_moment, np.finfo(float).max
-    )  # an axis without a moment is far from all others
-    apart = np.abs(
-        np.roll(a, -1, axis=-1) - np.roll(a, -2, axis=-1)
-    )  # of the other two axes
+    # An axis without a moment is far from all others.
+    a = np.where(has_moment, a, np.finfo(float).max)
+    # For each axis, how far the other two are apart.
+    apart = np.abs(np.roll(a, -1, axis=-1) - np.roll(a, -2, axis=-1))
     axis_k = np.arange(3) == np.argmin(apart, axis=-1)[:, None]
     return np.roll(axis_k, 1, axis=-1), np.roll(axis_k, 2, axis=-1), axis_k
 
@@ -297,7 +242,7 @@ def _axes(
 def _in_the_world(q: Array, v: Array) -> Array:
     """R v: vectors along a body's own axes, as seen in the world."""
     twice = 2 * cross(q[..., 1:], v)
-    return np.asarray(v + q[..., :1] * twice + cross(q[..., 1:], twice))
+    return v + q[..., :1] * twice + cross(q[..., 1:], twice)
 
 
 def _in_its_axes(q: Array, v: Array) -> Array:
@@ -308,27 +253,14 @@ def _in_its_axes(q: Array, v: Array) -> Array:
 def _turn_of(w: Array) -> Array:
     """The quaternion of a rotation vector."""
     angle = np.sqrt(np.vecdot(w, w))[..., None]
-    return np.concatenate(
-        [np.cos(angle / 2), w * np.sinc(angle / (2 * np.pi)) / 2], axis=-1
-    )
+    vector = w * np.sinc(angle / (2 * np.pi)) / 2
+    return np.concatenate([np.cos(angle / 2), vector], axis=-1)
 
 
 def _product(second: Array, first: Array) -> Array:
-    a, p, b, q = (
-        second[..., :1],
-        second[..., 1:],
-        first[..., :1],
-        first[..., 1:],
-    )
+    """The product of two quaternions (a, p) and (b, q), of length 1."""
+    a, p = second[..., :1], second[..., 1:]
+    b, q = first[..., :1], first[..., 1:]
     scalar = a * b - np.vecdot(p, q)[..., None]
     product = np.concatenate([scalar, a * q + b * p + cross(p, q)], axis=-1)
-    return np.asarray(
-        product / np.sqrt(np.vecdot(product, product))[..., None]
-    )
-
-
-def _quaternion(name: str, quaternion: ArrayLike) -> Array:
-    q = np.asarray(quaternion, dtype=float)
-    if q.shape[-1:] != (4,):
-        raise ValueError(f"{name} must have shape (..., 4), not {q.shape}")
-    return unit(name, q)
+    return product / np.sqrt(np.vecdot(product, product))[..., None]

@@ -1,4 +1,4 @@
-"""What an impulse at a contact does, and how fast its points move (slides 14 to 18)."""
+"""What impulses do at contacts, and how points move (slides 14 to 18)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from solutions.world.vectors import cross, tangents
 
 
 class Rows(NamedTuple):
-    """Three directions at each of m contacts: the normal, and two for friction.
+    """Three directions at each of m contacts: the normal and two tangents.
 
     Attributes
     ----------
@@ -24,7 +24,8 @@ class Rows(NamedTuple):
         How v_A, ω_A, v_B, ω_B change with a unit impulse of each row.
     softness : (m, 3, 3), J M⁻¹ Jᵀ, 1/kg
         How the speeds of one contact change with its own impulses.
-    coupling : (m, 2), a = K_nt/K_nn, how much friction would move the normal speed
+    coupling : (m, 2), a = K_nt/K_nn
+        How much friction would move the normal speed.
     """
 
     body_a: Integers
@@ -67,17 +68,19 @@ def contact_rows(
 
     and the impulse d on A, −d on B, changes the velocities by M⁻¹ Jᵀ.
 
-    An impulse along a tangent t changes the normal speed as well, by K_nt. Newton's law
-    of restitution leaves the normal speed no choice. So friction here acts along
-    t − a n with a = K_nt/K_nn: the impulse that moves the points along the surface and
-    leaves their normal speed alone. Then the two do not disturb each other, and a
-    contact has its answer in one turn. Friction that opposes the slip itself needs the
-    tangents, and so does a penalty contact.
+    An impulse along a tangent t changes the normal speed as well, by K_nt.
+    Newton's law of restitution leaves the normal speed no choice. So friction
+    here acts along t − a n with a = K_nt/K_nn: the impulse that moves the
+    points along the surface and leaves their normal speed alone. Then the two
+    do not disturb each other, and a contact is solved in one turn.
+    Friction that opposes the slip itself needs the tangents, and so does a
+    penalty contact.
     """
     a, b = contacts.body_a, contacts.body_b
     direction = np.stack([contacts.normal, *tangents(contacts.normal)], axis=1)
-    arms = [(contacts.point - position[each])[:, None, :] for each in (a, b)]
-    turn_a, turn_b = (cross(arm, direction) for arm in arms)
+    arm_a, arm_b = (contacts.point - position[body] for body in (a, b))
+    turn_a = cross(arm_a[:, None, :], direction)
+    turn_b = cross(arm_b[:, None, :], direction)
     speed = np.concatenate([direction, turn_a, -direction, -turn_b], axis=-1)
     answer = np.concatenate(
         [
@@ -89,9 +92,8 @@ def contact_rows(
         axis=-1,
     )
     normal_softness = np.vecdot(speed[:, 0], answer[:, 0])[:, None]
-    coupling = (
-        np.matvec(speed[:, 1:], answer[:, 0]) / normal_softness * decoupled
-    )
+    along = np.matvec(speed[:, 1:], answer[:, 0])
+    coupling = along / normal_softness * decoupled
     for rows in (direction, speed, answer):
         rows[:, 1:] -= coupling[:, :, None] * rows[:, :1]
     softness = speed @ np.swapaxes(answer, -1, -2)
@@ -99,19 +101,19 @@ def contact_rows(
 
 
 def speeds(rows: Rows, velocity: Array, angular_velocity: Array) -> Array:
-    """Speeds (m, 3) along the normal and the two directions of friction, m/s."""
+    """Speeds (m, 3) along the normal and the two tangents, m/s."""
     a, b = rows.body_a, rows.body_b
     of_both = np.concatenate(
         [velocity[a], angular_velocity[a], velocity[b], angular_velocity[b]],
         axis=-1,
     )
-    return np.asarray(np.matvec(rows.speed, of_both))
+    return np.matvec(rows.speed, of_both)
 
 
 def after_impulses(
     rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array
 ) -> tuple[Array, Array]:
-    """Velocities and spins, (n, 3) each, after impulses (m, 3) along the rows."""
+    """Velocities and spins (n, 3) after impulses (m, 3) along the rows."""
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)
     given = np.vecmat(impulse, rows.answer)
     np.add.at(velocities, rows.body_a, given[:, :6])

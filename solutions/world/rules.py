@@ -1,4 +1,4 @@
-"""How a world responds to its contacts: its response and its law of restitution."""
+"""How a world responds to its contacts."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ LAWS = {
 }
 """The responses, and the laws of restitution that each of them knows.
 
-A penalty contact has no law besides its spring and its damper. They add no energy if
-the steps are short enough; see `stiffness`.
+A penalty contact has no law besides its spring and its damper. They add no
+energy if the steps are short enough; see `stiffness`.
 """
 
 
@@ -26,40 +26,48 @@ class Rules(NamedTuple):
     Attributes
     ----------
     rest_speed : m/s
-        A slower approach is answered without rebound. Two steps' gain of weight is a
-        good choice, 2 g Δt: what is slower has fallen for two steps at most.
+        A slower approach ends without rebound. Two steps' gain of
+        weight is a good choice, 2 g Δt: what is slower has fallen for two
+        steps at most.
     margin : m
-        A gap up to which a contact is kept, so that resting bodies keep theirs.
-    with_weight : whether the speed that is turned back includes the gain of this step
-        Newton's law speaks of the speed of approach. At a step one may take it before
-        the forces of the step act, or after; engines of both kinds exist.
+        A gap up to which a contact is kept, so that resting bodies keep
+        theirs.
+    with_weight : whether a rebound includes the speed gained in this step
+        Newton's law speaks of the speed of approach. At a step one may take it
+        before the forces of the step act, or after; engines of both kinds
+        exist.
     slop : m
-        An overlap that is left alone, so that resting bodies are not moved about.
+        An overlap that is left alone, so that resting bodies are not moved
+        about.
     recovery : share of a deeper overlap that each step moves away, 0 to 1
     sweeps : how often all contacts take their turn in a step, at most
-        In the first five steps of a run up to 500 may follow, but no more than ten
-        times as many, because of what rests no impulses are known to begin with.
+        In the first five steps of a run up to 500 may follow, but no more than
+        ten times as many, because of what rests no impulses are known to begin
+        with.
     tolerance : share of the largest impulse; smaller changes end the sweeps
     push_sweeps : how often they do so to move overlaps away
     response : 'sequential', 'simultaneous', 'penalty' or 'in time order'
     law : of restitution: 'dissipative', 'newton', 'poisson' or 'stronge'
-        `LAWS` lists the laws that each response knows. 'dissipative' is Newton's law
-        with the friction in Coulomb's cone that takes the most energy, 'newton' the
-        same law with friction that opposes the slip after the impact.
+        `LAWS` lists the laws that each response knows. 'dissipative' is
+        Newton's law with the friction in Coulomb's cone that takes the most
+        energy, 'newton' the same law with friction that opposes the slip after
+        the impact.
     directions : of friction, in the polygon of the simultaneous response
         An even number.
     stiffness : k of a penalty contact, N/m
-        A step that is longer than `penalty_step_limit` makes a contact gain energy
-        without end, with this k, the effective mass and the damping of the contact. The
-        world does not refuse it, but `run_world` ends when the motion has run away.
+        A step that is longer than `penalty_step_limit` makes a contact gain
+        energy without end, with this k, the effective mass and the damping of
+        the contact. The world does not refuse it, but `run_world` ends when
+        the motion has run away.
     sleep_speed : m/s; bodies that stay slower for `sleep_after` s are left out
-        0, and nothing sleeps; it must be 0 with the response 'in time order'. Only a
-        contact with a faster body wakes a sleeper. It does not notice a change of the
-        forces on it.
+        0, and nothing sleeps; it must be 0 with the response 'in time order'.
+        Only a contact with a faster body wakes a sleeper. It does not notice a
+        change of the forces on it.
     sleep_after : s, above 0
     sleep_size : m; a spin counts as a speed that far from the centre
     looks : how often a step in time order may back up the world
-        The rest of such a step is answered without rebound and without another look.
+        The rest of such a step is resolved without rebound and without another
+        look.
     """
 
     rest_speed: float = 0.1
@@ -82,7 +90,7 @@ class Rules(NamedTuple):
 
 @lru_cache(maxsize=64)
 def known(rules: Rules) -> Rules:
-    """Return the rules; refuse a choice that does not exist, and a wrong number."""
+    """Return the rules; refuse an unknown choice and a wrong number."""
     if rules.response not in LAWS:
         raise ValueError(
             f"response must be one of {', '.join(LAWS)}, not"

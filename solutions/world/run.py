@@ -1,26 +1,29 @@
-"""Many steps of the world, with forces that depend on its state (slides 23 to 29)."""
+"""Many steps, with forces that depend on the state (slides 23 to 29)."""
 
 from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, of_shape
+from solutions.checks import finite
+from solutions.domain import domain, require
 from solutions.world.bodies import Bodies, State
 from solutions.world.memory import NOTHING, Memory
 from solutions.world.rules import Rules
-from solutions.world.step import advance_world
+from solutions.world.step import advance_world, one_number
 
 Forces = (
     Callable[[State], tuple[Array, Array]]
     | Callable[[State, float], tuple[Array, Array]]
 )
-"""Forces and torques on all bodies, (n, 3) each, N and N m; see `run_world`."""
+"""Forces and torques on all bodies, (n, 3) each, N and N m."""
+OneNumber = Annotated[float, finite, one_number]
+"""One number, finite."""
 UNSTABLE = (
     "; a spring, a damper or a penalty contact makes a motion grow without end"
     " if dt is beyond its step limit: see `spring_step_limit` of"
@@ -29,7 +32,8 @@ UNSTABLE = (
 RUNAWAY = 1e9
 """A speed and a spin that no body of a right scene has, m/s and rad/s.
 
-It is beyond the speed of light, and such a spin tears all but specks of dust apart.
+It is beyond the speed of light, and such a spin tears all but specks of dust
+apart.
 """
 
 
@@ -46,17 +50,18 @@ class Run(State):
     memory: Memory = NOTHING
 
 
+@domain
 def run_world(
     bodies: Bodies,
     state: State,
     acceleration: ArrayLike,
-    dt: float,
+    dt: OneNumber,
     steps: int,
     rules: Rules = Rules(),  # noqa: B008  (an immutable tuple)
     forces: Sequence[Forces] = (),
     every: int = 1,
     memory: Memory = NOTHING,
-    time: float = 0.0,
+    time: OneNumber = 0.0,
 ) -> Run:
     """The states of a world over many steps.
 
@@ -65,13 +70,14 @@ def run_world(
     bodies, state : the world at the start
     acceleration : (3,) or (n, 3), g, m/s²
     dt : s
-    steps : how many
+    steps : how many, a whole number
     rules : how it responds to contacts
     forces : functions, such as springs, drag and wind
-        Each takes the state, and returns the forces and the torques on all bodies,
-        (n, 3) each, N and N m. A function that needs one argument more is given the
-        time as well, f(state, t), in s. An argument with a default is not needed.
-    every : a state is kept after so many steps
+        Each takes the state, and returns the forces and the torques on all
+        bodies, (n, 3) each, N and N m. A function that needs one argument more
+        is given the time as well, f(state, t), in s. An argument with a
+        default is not needed.
+    every : a whole number; a state is kept after so many steps
     memory : what another run left, which this one continues
     time : when the run starts, s
 
@@ -83,14 +89,15 @@ def run_world(
     Raises
     ------
     ValueError
-        If a number of steps is not whole or too small, forces do not fit, a motion
-        grows without end, or as `advance_world`.
+        If a number of steps is not whole or too small, forces do not fit, a
+        motion grows without end, or as `advance_world`.
 
     Notes
     -----
-    A run can be continued from the state after its last step, which is kept if `every`
-    divides `steps`. With its memory the second part is the same as if the run had gone
-    on, to the last digit, or to rounding of the time where forces ask for it:
+    A run can be continued from the state after its last step, which is kept if
+    `every` divides `steps`. With its memory the second part is the same as if
+    the run had continued, to the last digit, or to rounding of the time where
+    forces depend on it:
 
         first = run_world(bodies, start, g, dt, 100)
         last = State(*(array[-1] for array in first))
@@ -98,11 +105,15 @@ def run_world(
             bodies, last, g, dt, 100, memory=first.memory, time=100 * dt
         )
 
-    Without it the contacts begin without impulses, and no body is asleep. The first
-    steps then take more sweeps than the others, so that what stands remains standing.
+    Without it the contacts begin without impulses, and no body is asleep. The
+    first steps then take more sweeps than the others, so that what stands
+    remains standing.
 
-    The forces act at the beginning of each step, as semi-implicit Euler takes them:
-    v⁺ = v + Δt F(x, v, t)/m, and x⁺ = x + Δt v⁺.
+    The forces act at the beginning of each step, as semi-implicit Euler takes
+    them:
+
+        v⁺ = v + Δt F(x, v, t)/m
+        x⁺ = x + Δt v⁺
     """
     for name, count, least in (("steps", steps, 0), ("every", every, 1)):
         is_whole = isinstance(count, int | np.integer)
@@ -110,18 +121,16 @@ def run_world(
             raise ValueError(
                 f"{name} must be a whole number from {least}, not {count!r}"
             )
-    if not isinstance(forces, Sequence) or not all(map(callable, forces)):
-        raise ValueError(f"forces must be a list of functions, not {forces!r}")
-    start, dt = (
-        float(of_shape(name, finite(name, value), ()))
-        for name, value in (("time", time), ("dt", dt))
+    require(
+        isinstance(forces, Sequence) and all(map(callable, forces)),
+        f"forces must be a list of functions, not {forces!r}",
     )
     kept = [state]
     acting = [
-        _with_time(f"forces[{i}]", each) for i, each in enumerate(forces)
+        _with_time(f"forces[{i}]", force) for i, force in enumerate(forces)
     ]
     for count in range(1, steps + 1):
-        now = start + (count - 1) * dt
+        now = time + (count - 1) * dt
         loads = np.zeros((2, len(bodies.inverse_mass), 3))
         for i, force in enumerate(acting):
             loads += _checked(f"forces[{i}]", force(state, now), loads, now)
@@ -148,21 +157,22 @@ def run_world(
 def _with_time(
     name: str, force: Callable[..., Any]
 ) -> Callable[[State, float], Any]:
-    """The function, called with the state, and with the time if it needs that."""
+    """The function of the state, and of the time if it needs that."""
     try:
         parameters = inspect.signature(force).parameters.values()
     except (TypeError, ValueError):  # a function of C does not always tell
         return lambda state, now: force(state)
     needed = [
-        each
-        for each in parameters
-        if each.default is each.empty
-        and each.kind not in (each.VAR_POSITIONAL, each.VAR_KEYWORD)
+        parameter
+        for parameter in parameters
+        if parameter.default is parameter.empty
+        and parameter.kind
+        not in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD)
     ]
     if len(needed) == 1 or (not needed and parameters):
         return lambda state, now: force(state)
     if len(needed) != 2:
-        names = ", ".join(each.name for each in needed) or "nothing"
+        names = ", ".join(argument.name for argument in needed) or "nothing"
         raise ValueError(
             f"{name} must be a function of the state, or of the state and the"
             f" time, not of {names}"
@@ -173,23 +183,23 @@ def _with_time(
     return lambda state, now: force(state, now)
 
 
-def _checked(name: str, found: Any, loads: Array, now: float) -> Array:
+def _checked(name: str, given: Any, loads: Array, now: float) -> Array:
     """What a function of `forces` returned, (2, n, 3); refuse all else."""
-    wanted = (
+    refusal = (
         f"{name} must return forces and torques, two arrays of the shape"
         f" {loads.shape[1:]} each, not"
     )
-    if not isinstance(found, tuple | list | np.ndarray):
-        raise ValueError(f"{wanted} {type(found).__name__}")
-    if len(found) != 2:
-        raise ValueError(f"{wanted} {len(found)} of them")
+    if not isinstance(given, tuple | list | np.ndarray):
+        raise ValueError(f"{refusal} {type(given).__name__}")
+    if len(given) != 2:
+        raise ValueError(f"{refusal} {len(given)} of them")
     try:
-        parts = [np.asarray(each) for each in found]
+        parts = [np.asarray(part) for part in given]
     except ValueError:
-        raise ValueError(f"{wanted} rows of unequal length") from None
+        raise ValueError(f"{refusal} rows of unequal length") from None
     for part in parts:
         if part.shape != loads.shape[1:] or part.dtype.kind not in "iuf":
-            raise ValueError(f"{wanted} {part.dtype} of {part.shape}")
+            raise ValueError(f"{refusal} {part.dtype} of {part.shape}")
     both = np.array(parts, dtype=float)
     if not np.all(np.isfinite(both)):
         first = both[~np.isfinite(both)][0]

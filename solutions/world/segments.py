@@ -1,4 +1,4 @@
-"""Segments: the cores of capsules, the edges of hulls, and where two are nearest."""
+"""Segments, as cores of capsules and edges of hulls: where two are nearest."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ def nearest_on_segments(
     t, and in t for each s. Both derivatives vanish where the lines are
     nearest:
 
-        s = ((d·e)(e·r) − (e·e)(d·r)) / ((d·d)(e·e) − (d·e)²),    r = p − q
+        r = p − q
+        s = ((d·e)(e·r) − (e·e)(d·r)) / ((d·d)(e·e) − (d·e)²)
 
     This s is kept within 0 to 1. The best t for it is (e·(r + s d))/(e·e),
     also kept within 0 to 1. The best s for that t is found in the same way,
@@ -46,11 +47,8 @@ def nearest_on_segments(
     5.1.9).
     """
     between = start_a - start_b
-    aa, bb, ab = (
-        np.vecdot(way_a, way_a),
-        np.vecdot(way_b, way_b),
-        np.vecdot(way_a, way_b),
-    )
+    aa, bb = np.vecdot(way_a, way_a), np.vecdot(way_b, way_b)
+    ab = np.vecdot(way_a, way_b)
     ar, br = np.vecdot(way_a, between), np.vecdot(way_b, between)
     first = _share(ab * br - bb * ar, aa * bb - ab * ab)
     share_b = _share(br + first * ab, bb)
@@ -60,8 +58,5 @@ def nearest_on_segments(
 def _share(part: Array, whole: Array) -> Array:
     """A part of a whole, from 0 to 1; 0 where there is no whole."""
     some = whole > 0
-    return np.asarray(
-        np.where(
-            some, np.clip(part / np.where(some, whole, 1.0), 0.0, 1.0), 0.0
-        )
-    )
+    share = np.clip(part / np.where(some, whole, 1.0), 0.0, 1.0)
+    return np.where(some, share, 0.0)

@@ -3,14 +3,14 @@
 A shape is a plain tuple: its kind, and then what that kind needs.
 
     ("sphere", radius)
-    ("capsule", radius, half_length)   about its own z axis; the round ends lie
-    beyond ("box", half_extents)              (3,), along its own axes
-    ("polyhedron", vertices, faces)    convex; faces counterclockwise from
-    outside ("half-space", normal)             all that lies below the plane
-    through its origin ("compound", parts)                each part: (shape,
-    position, orientation)
+    ("capsule", radius, half_length)   about z; the round ends lie beyond
+    ("box", half_extents)              (3,), along its own axes
+    ("polyhedron", vertices, faces)    convex; faces counterclockwise
+    ("half-space", normal)             all below the plane through its origin
+    ("compound", parts)                of (shape, position, orientation) each
 
-Lengths are in m. The origin of a body is its centre of mass.
+Lengths are in m. The faces of a polyhedron are seen from outside. The origin
+of a body is its centre of mass.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ class Placed(NamedTuple):
     size : (n, 3), m
         Of a sphere: radius, 0, 0. Of a capsule: radius, half length, 0. Of a
         box: its half extents. Of all others 0.
-    vertices : (n, v, 3), of boxes and polyhedra, in the world frame, m; (n, 0,
-    3) else
+    vertices : (n, v, 3), in the world frame, m
+        Of boxes and polyhedra; (n, 0, 3) for all others.
     faces : (f, s), numbers of vertices, counterclockwise from outside
         The same for all of these pieces. A face with fewer than s vertices
         repeats its last one.
@@ -52,7 +52,7 @@ class Placed(NamedTuple):
     faces: Integers
 
 
-class Found(NamedTuple):
+class Touching(NamedTuple):
     """Places where pairs of pieces touch, or nearly do.
 
     Attributes
@@ -60,8 +60,8 @@ class Found(NamedTuple):
     pair : (k,), which of the pairs, ascending
     point : (k, 3), halfway between the two surfaces, m
     normal : (k, 3), unit, from B to A
-    separation : (k,), distance of the surfaces along the normal, m; negative
-    in overlap
+    separation : (k,), distance of the surfaces along the normal, m
+        It is negative in overlap.
     feature : (k,), a number that names the place on the two pieces, 0 to 65535
         It stays the same from one step to the next while the same features
         touch.

@@ -1,10 +1,9 @@
-"""Where balls, boxes and half-spaces touch, in plain arrays (slides 2, 9 and 17).
+"""Where balls, boxes and half-spaces touch (slides 2, 9 and 17).
 
 A world is two tuples of arrays, with one entry for each of its n bodies.
 
-    bodies: inverse_mass (n,), moments (n, 3), restitution (n, n), friction (n,
-    n),
-            meet (n, n), kind (n,), size (n, 3)
+    bodies: inverse_mass (n,), moments (n, 3), restitution (n, n),
+            friction (n, n), meet (n, n), kind (n,), size (n, 3)
     state:  position (n, 3), orientation (n, 4), velocity (n, 3),
             angular_velocity (n, 3)
 
@@ -22,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
+from solutions.domain import Number, domain, require
 from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.hidden_places import hidden_places, inside_hulls
@@ -33,7 +33,7 @@ from solutions.world.round_pairs import (
     sphere_half_space,
     sphere_sphere,
 )
-from solutions.world.shapes import TOUCH, Found, Placed
+from solutions.world.shapes import TOUCH, Placed, Touching
 
 BALL, CUBOID, PLANE = range(3)
 """The kinds of bodies in the lab. In a contact, A has the lower kind."""
@@ -45,7 +45,7 @@ SimplePlaces = tuple[Integers, Integers, Array, Array, Array]
 """body_a, body_b, point, normal, separation."""
 SimpleContacts = tuple[Integers, Integers, Array, Array, Array, Integers]
 """body_a, body_b, point, normal, separation, key."""
-Touch = Callable[[Placed, Placed, float], Found]
+Touch = Callable[[Placed, Placed, float], Touching]
 TOUCHES: dict[tuple[int, int], Touch] = {
     (BALL, BALL): sphere_sphere,
     (BALL, CUBOID): sphere_box,
@@ -83,29 +83,20 @@ def manifolds(
     position, rotation = state[0], rotation_matrix(state[1])
     first, second = np.asarray(pairs, dtype=np.int64).reshape(-1, 2).T
     turn = kind[first] > kind[second]
-    first, second = (
-        np.where(turn, second, first),
-        np.where(turn, first, second),
-    )
-    none = (
-        np.zeros(0, dtype=np.int64),
-        np.zeros((0, 3)),
-        np.zeros((0, 3)),
-        np.zeros(0),
-        np.zeros(0, dtype=np.int64),
-    )
-    found = [none]
-    for kinds, touch in TOUCHES.items():
+    first, second = np.where(turn, [second, first], [first, second])
+    no_number, no_vector = np.zeros(0, dtype=np.int64), np.zeros((0, 3))
+    parts = [(no_number, no_vector, no_vector, np.zeros(0), no_number)]
+    for (kind_a, kind_b), touch in TOUCHES.items():
         chosen = np.flatnonzero(
-            (kind[first] == kinds[0]) & (kind[second] == kinds[1])
+            (kind[first] == kind_a) & (kind[second] == kind_b)
         )
         if len(chosen):
-            a = _placed(kinds[0], first[chosen], position, rotation, size)
-            b = _placed(kinds[1], second[chosen], position, rotation, size)
+            a = _placed(kind_a, first[chosen], position, rotation, size)
+            b = _placed(kind_b, second[chosen], position, rotation, size)
             touching = touch(a, b, margin)
-            found.append((chosen[touching.pair], *touching[1:]))
+            parts.append((chosen[touching.pair], *touching[1:]))
     pair, point, normal, separation, feature = (
-        np.concatenate(parts) for parts in zip(*found, strict=True)
+        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
     )
     order = np.argsort(pair, kind="stable")
     one, other = first[pair[order]], second[pair[order]]
@@ -116,14 +107,13 @@ def manifolds(
     met = point[order], normal[order], separation[order]
 
     def inside(number: Integers, at: Array) -> Booleans:
-        return inside_hulls(
-            _placed(CUBOID, number, position, rotation, size), at
-        )
+        boxes = _placed(CUBOID, number, position, rotation, size)
+        return inside_hulls(boxes, at)
 
     ab = one, other
     hidden = hidden_places(ab, ab, *met, bodies[0] > 0, kind == CUBOID, inside)
     seen = np.flatnonzero(~hidden)
-    point, normal, separation = (each[seen] for each in met)
+    point, normal, separation = (array[seen] for array in met)
     return one[seen], other[seen], point, normal, separation, key[seen]
 
 
@@ -139,40 +129,40 @@ def _pass(
     passes = np.zeros(len(a), dtype=bool)
     apart = np.flatnonzero(separation > TOUCH)
     slip = _apart(state, a[apart], b[apart], point[apart])
-    rate, speed = np.vecdot(normal[apart], slip), np.linalg.norm(slip, axis=-1)
+    rate = np.vecdot(normal[apart], slip)
+    speed = np.linalg.norm(slip, axis=-1)
     closes = rate < 0
-    asked, rate, speed = apart[closes], rate[closes], speed[closes]
+    closing, rate, speed = apart[closes], rate[closes], speed[closes]
     extent = np.max(size * (kind != PLANE)[:, None], axis=-1)
-    last = np.maximum(extent[a[asked]], extent[b[asked]]) / speed
+    last = np.maximum(extent[a[closing]], extent[b[closing]]) / speed
     for kinds, touch in TOUCHES.items():
         some = np.flatnonzero(
-            (kind[a[asked]] == kinds[0]) & (kind[b[asked]] == kinds[1])
+            (kind[a[closing]] == kinds[0]) & (kind[b[closing]] == kinds[1])
         )
 
         def nearest(
             chosen: Integers,
             now: Array,
-            pairs: Integers = asked[some],
+            pairs: Integers = closing[some],
             kinds: tuple[int, int] = kinds,
             touch: Touch = touch,
-        ) -> tuple[Found, Array]:
-            own = np.arange(2 * len(chosen))
-            one, other = np.split(own, 2)
+        ) -> tuple[Touching, Array]:
+            one, other = np.split(np.arange(2 * len(chosen)), 2)
             bodies = np.concatenate([a[pairs[chosen]], b[pairs[chosen]]])
             flown = _flown(state, bodies, np.tile(now, 2))
-            rotation = rotation_matrix(flown[1])
-            found = touch(
-                _placed(kinds[0], one, flown[0], rotation, size[bodies]),
-                _placed(kinds[1], other, flown[0], rotation, size[bodies]),
+            where = flown[0], rotation_matrix(flown[1]), size[bodies]
+            touching = touch(
+                _placed(kinds[0], one, *where),
+                _placed(kinds[1], other, *where),
                 ANYWHERE,
             )
-            pair, at, along = found[:3]
-            parts = _apart(flown, one[pair], other[pair], at)
-            return found, np.vecdot(along, parts)
+            pair, at, along, *_ = touching
+            slip = _apart(flown, one[pair], other[pair], at)
+            return touching, np.vecdot(along, slip)
 
-        first = -separation[asked[some]] / rate[some]
+        first = -separation[closing[some]] / rate[some]
         touches, near = meet_in_flight(nearest, first, last[some])
-        passes[asked[some]] = ~(touches | near)
+        passes[closing[some]] = ~(touches | near)
     return passes
 
 
@@ -182,22 +172,18 @@ def _apart(
     """Velocity of A's point less that of B's, (m, 3), m/s."""
     position, _, velocity, spin = state
     of_a, of_b = (
-        velocity[each] + np.cross(spin[each], point - position[each])
-        for each in (a, b)
+        velocity[body] + np.cross(spin[body], point - position[body])
+        for body in (a, b)
     )
-    return np.asarray(of_a - of_b)
+    return of_a - of_b
 
 
 def _flown(state: SimpleState, number: Integers, time: Array) -> SimpleState:
-    """Bodies after free flights of so long, (k,), s."""
-    position, orientation, velocity, spin = (each[number] for each in state)
+    """Bodies after free flights, each of a time (k,), s."""
+    position, orientation, velocity, spin = (part[number] for part in state)
     seconds = time[:, None]
-    return (
-        position + seconds * velocity,
-        turned(orientation, seconds * spin),
-        velocity,
-        spin,
-    )
+    position = position + seconds * velocity
+    return position, turned(orientation, seconds * spin), velocity, spin
 
 
 def _placed(
@@ -205,23 +191,18 @@ def _placed(
 ) -> Placed:
     """Bodies of one kind, as the functions of `TOUCHES` take them."""
     at, turn, own = position[number], rotation[number], size[number]
-    corners, faces = (
-        np.zeros((len(number), 0, 3)),
-        np.zeros((0, 3), dtype=np.int64),
-    )
     if kind == CUBOID:
-        corners, faces = (
-            at[:, None] + (BOX_VERTICES * own[:, None]) @ turn.mT,
-            BOX_FACES,
-        )
-    elif (
-        kind == PLANE
-    ):  # only the third column of its rotation counts, the normal
+        corners = at[:, None] + (BOX_VERTICES * own[:, None]) @ turn.mT
+        return Placed(at, turn, own, corners, BOX_FACES)
+    if kind == PLANE:
+        # Only the third column of its rotation counts, the normal.
         turn = np.matvec(turn, own)[..., None] * np.array([0.0, 0.0, 1.0])
-    return Placed(at, turn, own, corners, faces)
+    corners = np.zeros((len(number), 0, 3))
+    return Placed(at, turn, own, corners, np.zeros((0, 3), dtype=np.int64))
 
 
-def candidate_pairs(lower: ArrayLike, upper: ArrayLike) -> Integers:
+@domain
+def candidate_pairs(lower: Number, upper: Number) -> Integers:
     """All pairs of boxes along the axes that overlap, each once.
 
     Parameters
@@ -251,10 +232,8 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike) -> Integers:
     pairs and its transpose. This compares n² pairs. `pairs_in_grid` is for
     many boxes: its time grows like n log n.
     """
-    low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
-    if not np.all(low <= high):
-        raise ValueError("lower must not be above upper")
-    begins_before_end = np.all(low[:, None] <= high[None], axis=-1)
+    require(lower <= upper, "lower must not be above upper")
+    begins_before_end = np.all(lower[:, None] <= upper[None], axis=-1)
     return np.argwhere(np.triu(begins_before_end & begins_before_end.T, 1))
 
 
@@ -281,8 +260,9 @@ def collect_contacts(
     Notes
     -----
     A ball reaches as far as its radius r along every axis. A box with the half
-    extents h reaches as far along x as its farthest corner, R (±h_1, ±h_2,
-    ±h_3). Each sign may be chosen so that its term is positive. So it reaches
+    extents h reaches as far along x as its farthest corner,
+    R (±h_1, ±h_2, ±h_3). Each sign may be chosen so that its term is positive.
+    So it reaches
 
         |R_x1| h_1 + |R_x2| h_2 + |R_x3| h_3
 
@@ -292,15 +272,11 @@ def collect_contacts(
     inverse_mass, *_, meet, kind, size = bodies
     position, orientation = state[:2]
     of_kind = kind[:, None]
-    reach = np.where(
-        of_kind == BALL,
-        size[:, :1],
-        np.matvec(np.abs(rotation_matrix(orientation)), size),
-    )
+    of_box = np.matvec(np.abs(rotation_matrix(orientation)), size)
+    reach = np.where(of_kind == BALL, size[:, :1], of_box)
     reach = np.where(of_kind == PLANE, np.inf, reach) + margin / 2
     pairs = candidate_pairs(position - reach, position + reach)
     first, second = pairs.T
     movable = inverse_mass[first] + inverse_mass[second] > 0
-    return manifolds(
-        bodies, state, pairs[movable & meet[first, second]], margin
-    )
+    pairs = pairs[movable & meet[first, second]]
+    return manifolds(bodies, state, pairs, margin)

@@ -1,4 +1,4 @@
-"""What contacts do to velocities: impacts, and then rest (slides 21 and 22)."""
+"""What contacts do to velocities: impacts, then rest (slides 21 and 22)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,10 @@ from solutions.world.simple_turning import inverse_inertias
 from solutions.world.vectors import tangents
 
 ROUNDS = 100
-"""How often the impacts of a step may have a turn; with e < 1 they may have no end."""
+"""How often the impacts of a step may have a turn.
+
+With e < 1 they may have no end.
+"""
 SLOP, RECOVERY, PUSHES = 1e-6, 0.2, 20
 """How overlaps are moved away.
 
@@ -41,8 +44,8 @@ def contact_frames(contacts: SimpleContacts, position: Array) -> Array:
         return np.zeros((0, 3, 6 * len(position)))
     arms = point - position[a], point - position[b]
     rows = [
-        contact_jacobian(a, b, each, *arms, len(position))
-        for each in (normal, *tangents(normal))
+        contact_jacobian(a, b, direction, *arms, len(position))
+        for direction in (normal, *tangents(normal))
     ]
     return np.stack(rows, axis=1)
 
@@ -51,9 +54,8 @@ def contacts_by_pair(contacts: SimpleContacts) -> list[Integers]:
     """The numbers of the contacts of each two bodies in touch, in order."""
     pairs = np.stack(contacts[:2], axis=-1)
     starts = np.flatnonzero(np.any(pairs[1:] != pairs[:-1], axis=-1)) + 1
-    return [
-        each for each in np.split(np.arange(len(pairs)), starts) if len(each)
-    ]
+    groups = np.split(np.arange(len(pairs)), starts)
+    return [group for group in groups if len(group)]
 
 
 def collide_with_friction(
@@ -63,15 +65,22 @@ def collide_with_friction(
     restitution: float,
     friction: float,
 ) -> tuple[Array, Array, Array, Array]:
-    """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction."""
-    u = relative_velocity(
-        point_velocity(*body_a[:3]), point_velocity(*body_b[:3])
+    """Velocities v_A, ω_A, v_B, ω_B after an impact, also with friction.
+
+    Parameters
+    ----------
+    body_a, body_b : a `Body` each, at the instant of the impact
+    normal : (3,), unit, from B to A
+    restitution : e, 0 to 1
+    friction : μ, a number
+    """
+    u_a, u_b = (point_velocity(*body[:3]) for body in (body_a, body_b))
+    u = relative_velocity(u_a, u_b)
+    k_a, k_b = (
+        point_inverse_mass(inverse_mass, inverse_inertia, arm)
+        for _, _, arm, inverse_mass, inverse_inertia in (body_a, body_b)
     )
-    softness = sum(
-        point_inverse_mass(body[3], body[4], body[2])
-        for body in (body_a, body_b)
-    )
-    impulse = dissipative_impulse(u, normal, softness, restitution, friction)
+    impulse = dissipative_impulse(u, normal, k_a + k_b, restitution, friction)
     return (*_pushed(body_a, impulse), *_pushed(body_b, -impulse))
 
 
@@ -86,11 +95,13 @@ def kept_impulses(
     memory: tuple[Integers, Array] | None, contacts: SimpleContacts
 ) -> Array:
     """Impulses (m, 3) of the last step where a place still touches, N s."""
-    keys, found = contacts[-1], np.zeros((len(contacts[-1]), 3))
+    *_, key = contacts
+    kept = np.zeros((len(key), 3))
     if memory is not None:
-        _, here, there = np.intersect1d(keys, memory[0], return_indices=True)
-        found[here] = memory[1][there]
-    return found
+        old_key, old_impulse = memory
+        _, here, there = np.intersect1d(key, old_key, return_indices=True)
+        kept[here] = old_impulse[there]
+    return kept
 
 
 def out_of_overlap(
@@ -111,9 +122,8 @@ def out_of_overlap(
     ahead = contacts[4] + dt * (rows[:, 0] @ motion) + SLOP
     if not np.any(ahead < 0):
         return np.zeros((len(position), 6))
-    share = inverse_mass_matrix(
-        inverse_mass, inverse_inertias(moments, orientation)
-    )
+    inverse_inertia = inverse_inertias(moments, orientation)
+    share = inverse_mass_matrix(inverse_mass, inverse_inertia)
     least = np.where(ahead < 0, -RECOVERY * ahead, -ahead)
     push, _ = sequential_impulses(
         np.zeros_like(motion), rows, share, 0.0, PUSHES, least=least
@@ -167,8 +177,11 @@ def respond(
     after another, and again, as in `propagate_impacts`, until none of them
     collides or `ROUNDS` are over.
 
-    **Rest.** The load would change the speeds of the contacts to G (v + M⁻¹ F
-    dt). Two bodies that have just collided are carried in this step, at all of
+    **Rest.** The load would change the speeds of the contacts to
+
+        G (v + M⁻¹ F dt)
+
+    Two bodies that have just collided are carried in this step, at all of
     their contacts. The points of each part as fast as after the impacts, and
     where they still close, the least speed is 0. All other contacts may close
     their gap and no more. So each contact has a least speed, and with A and b
@@ -204,30 +217,24 @@ def respond(
         for pair in contacts_by_pair(contacts):
             closing = pair[rows[pair, 0] @ motion.ravel() < fast[pair]]
             if len(closing):
-                i, j, place = (
-                    a[pair[0]],
-                    b[pair[0]],
-                    np.mean(point[closing], axis=0),
-                )
-                after = collide_with_friction(
+                i, j, n = a[pair[0]], b[pair[0]], normal[pair[0]]
+                place = np.mean(point[closing], axis=0)
+                v_a, w_a, v_b, w_b = collide_with_friction(
                     body(i, place),
                     body(j, place),
-                    normal[pair[0]],
+                    n,
                     restitution[i, j],
                     friction[i, j],
                 )
-                motion[i], motion[j] = (
-                    np.concatenate(after[:2]),
-                    np.concatenate(after[2:]),
-                )
-                collided[pair], quiet = True, False
+                motion[i] = np.concatenate([v_a, w_a])
+                motion[j] = np.concatenate([v_b, w_b])
+                collided[pair] = True
+                quiet = False
         if quiet:
             break
 
-    share, normals = (
-        inverse_mass_matrix(inverse_mass, inverse_inertia),
-        rows[:, 0],
-    )
+    share = inverse_mass_matrix(inverse_mass, inverse_inertia)
+    normals = rows[:, 0]
     matrix, gained = resting_problem(normals, share, load.ravel())
     parting = normals @ motion.ravel()
     least = np.where(collided, np.maximum(parting, 0.0), within_step)
@@ -238,10 +245,8 @@ def respond(
             matrix, parting + dt * gained - least, sweeps, start[:, 0]
         )
     loaded = motion.ravel() + dt * share @ load.ravel()
-    ended, impulse = (
-        loaded + share @ normals.T @ pressed,
-        pressed[:, None] * np.array([1.0, 0.0, 0.0]),
-    )
+    ended = loaded + share @ normals.T @ pressed
+    impulse = pressed[:, None] * np.array([1.0, 0.0, 0.0])
     if np.any(friction[a, b]):
         begin = np.concatenate([pressed[:, None], start[:, 1:]], axis=-1)
         ended, impulse = sequential_impulses(

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Integers
+from solutions.vectors import quotient
 from solutions.world.rotation import turned
 from solutions.world.simple_contacts import (
     SimpleBodies,
@@ -23,12 +23,12 @@ from solutions.world.simple_turning import rotate_by_momentum
 def step_world(
     bodies: SimpleBodies,
     state: SimpleState,
-    acceleration: ArrayLike,
+    acceleration: Array,
     dt: float,
     rules: tuple[float, float, int],
     memory: tuple[Integers, Array] | None = None,
-    force: ArrayLike = (0.0, 0.0, 0.0),
-    torque: ArrayLike = (0.0, 0.0, 0.0),
+    force: Array = (0.0, 0.0, 0.0),
+    torque: Array = (0.0, 0.0, 0.0),
 ) -> tuple[Array, Array, Array, Array, Integers, Array]:
     """One step of length dt: forces, contacts, velocities, positions.
 
@@ -58,31 +58,19 @@ def step_world(
     inverse_mass, moments, *_ = bodies
     position, orientation = state[:2]
     rest_speed, margin, sweeps = rules
-    mass = np.where(
-        inverse_mass > 0,
-        1 / np.where(inverse_mass > 0, inverse_mass, 1.0),
-        0.0,
-    )
-    push = mass[:, None] * np.asarray(acceleration) + force
+    mass = quotient(1.0, inverse_mass)
+    push = mass[:, None] * acceleration + force
     load = np.concatenate([push, np.broadcast_to(torque, push.shape)], axis=-1)
 
     contacts = collect_contacts(bodies, state, margin)
+    kept = kept_impulses(memory, contacts)
     velocity, spin, impulse = respond(
-        bodies,
-        state,
-        contacts,
-        load,
-        dt,
-        rest_speed,
-        sweeps,
-        kept_impulses(memory, contacts),
+        bodies, state, contacts, load, dt, rest_speed, sweeps, kept
     )
 
-    way = out_of_overlap(
-        bodies, (position, orientation, velocity, spin), contacts, dt
-    )
+    moving = position, orientation, velocity, spin
+    way = out_of_overlap(bodies, moving, contacts, dt)
     position = position + dt * velocity + way[:, :3]
-    orientation, spin = rotate_by_momentum(
-        turned(orientation, way[:, 3:]), spin, moments, dt
-    )
+    orientation = turned(orientation, way[:, 3:])
+    orientation, spin = rotate_by_momentum(orientation, spin, moments, dt)
     return position, orientation, velocity, spin, contacts[-1], impulse

@@ -1,31 +1,39 @@
-"""A body that turns freely: one line for the turn, one for the spin (slide 18)."""
+"""A body that turns freely: its turn, and then its spin (slide 18)."""
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_space, positive, vector
+from solutions.checks import finite, positive, vector, with_shape
+from solutions.domain import Number, Quaternion, Vector, domain
 from solutions.impulse import rotation_matrix
 from solutions.world.rotation import turned
 
+PositiveMoments = Annotated[Array, vector, positive]
+"""(..., 3), positive; infinite for a body that nothing turns."""
+OneTime = Annotated[Array, with_shape(), finite]
+"""One number, finite, s."""
 
-def inverse_inertias(moments: ArrayLike, orientation: ArrayLike) -> Array:
+
+@domain
+def inverse_inertias(moments: Number, orientation: Quaternion) -> Array:
     """I⁻¹ of bodies along the axes of the world, (..., 3, 3), 1/(kg m²).
 
     Along a body's own axes it has 1/moments, and 0 for an infinite one.
     """
     axes = rotation_matrix(orientation)
-    share = 1 / np.asarray(moments, dtype=float)
-    return np.asarray(np.einsum("...ij,...j,...kj->...ik", axes, share, axes))
+    return np.einsum("...ij,...j,...kj->...ik", axes, 1 / moments, axes)
 
 
+@domain
 def rotate_by_momentum(
-    orientation: ArrayLike,
-    angular_velocity: ArrayLike,
-    moments: ArrayLike,
-    dt: float,
+    orientation: Quaternion,
+    angular_velocity: Vector,
+    moments: PositiveMoments,
+    dt: OneTime,
 ) -> tuple[Array, Array]:
     """Turn bodies on which no torque acts, over a time dt (slide 18).
 
@@ -45,16 +53,15 @@ def rotate_by_momentum(
         The one with which the body, as it now lies, has the angular momentum
         of the start. A body with infinite moments keeps its ω.
 
-    Raises
-    ------
-    ValueError
-        If a quaternion does not have length 1, a moment is not positive,
-        something else is not finite, or a shape does not fit.
-
     Notes
     -----
-    The angular momentum is L = I(q) ω with I(q) = R I_body Rᵀ. Without a
-    torque L stays. The body turns, so I(q) changes, and ω must change too:
+    The angular momentum is
+
+        L = I(q) ω
+        I(q) = R I_body Rᵀ
+
+    Without a torque L stays. The body turns, so I(q) changes, and ω must
+    change too:
 
         ω⁺ = I⁻¹(q⁺) L
 
@@ -63,19 +70,11 @@ def rotate_by_momentum(
     `turn_freely` puts the turn together from parts that can be written down
     exactly, and its energy does not drift.
     """
-    q, w = (
-        np.asarray(orientation, dtype=float),
-        in_space("angular_velocity", angular_velocity),
-    )
-    moments, dt = (
-        positive("moments", vector("moments", moments)),
-        float(finite("dt", dt)),
-    )
-    q_after = turned(q, w * dt)
+    q, w = orientation, angular_velocity
     free = np.isfinite(moments)
-    own = np.vecmat(w, rotation_matrix(q))  # ω along the body's own axes
-    momentum = np.matvec(
-        rotation_matrix(q), np.where(free, moments, 0.0) * own
-    )
+    own_w = np.vecmat(w, rotation_matrix(q))  # along the body's own axes
+    own_momentum = np.where(free, moments, 0.0) * own_w
+    momentum = np.matvec(rotation_matrix(q), own_momentum)
+    q_after = turned(q, w * dt)
     w_after = np.matvec(inverse_inertias(moments, q_after), momentum)
     return q_after, np.where(np.all(free, axis=-1, keepdims=True), w_after, w)

@@ -15,7 +15,7 @@ from solutions.world.rotation import quaternion_product
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
-from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.sequential import Targets, in_groups, solve_sequentially
 from solutions.world.step import advance_world
 
 NO_WEIGHT = (0.0, 0.0, 0.0)
@@ -159,7 +159,7 @@ def test_impulses_lie_within_the_cone_after_any_number_of_sweeps(seed, sweeps, f
     rows = contact_rows(contacts.in_order(order), rng.normal(size=(number, 3)), inverse_mass, inverse_inertia)
     velocity, spin = rng.normal(size=(2, number, 3)) * (inverse_mass > 0)[:, None]
     none = np.zeros(count)
-    wanted = Wanted(none, none + friction, none + friction, none > 0)
+    wanted = Targets(none, none + friction, none + friction, none > 0)
     begun = rng.normal(size=(count, 3))
     *moved, impulse = solve_sequentially(rows, groups, velocity, spin, wanted, begun, sweeps)
     normal_impulse = impulse[:, 0] - np.vecdot(rows.coupling, impulse[:, 1:])

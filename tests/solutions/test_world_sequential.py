@@ -12,7 +12,7 @@ from solutions.world import solve_by_pivots
 from solutions.world.bodies import make_bodies
 from solutions.world.contacts import Contacts
 from solutions.world.rows import contact_rows, speeds
-from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.sequential import Targets, in_groups, solve_sequentially
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -52,7 +52,7 @@ def test_one_impact_takes_the_most_energy_that_newtons_rule_leaves():
     restitution, friction = rng.uniform(0, 1, 60), rng.uniform(0, 1.5, 60)
     slip, softness = along_axes(rows, velocity, spin)
     approach = speeds(rows, velocity, spin)[:, 0]
-    wanted = Wanted(-restitution * approach, friction, friction, restitution > 0)
+    wanted = Targets(-restitution * approach, friction, friction, restitution > 0)
     _, groups = in_groups(rows.body_a, rows.body_b, np.ones(120, dtype=bool))
     *_, impulse = solve_sequentially(rows, [slice(0, 60)] * len(groups), velocity, spin, wanted, sweeps=300)
     expected = dissipative_impulse(slip, rows.direction[:, 0], softness, restitution, friction)
@@ -64,7 +64,7 @@ def test_a_contact_without_rebound_obeys_coulombs_law():
     rng, rows, velocity, spin = some_impacts(2, 80, immovable=30)
     kinetic = rng.uniform(0, 1, 80)
     static = kinetic * rng.uniform(1, 1.5, 80)
-    wanted = Wanted(np.zeros(80), static, kinetic, np.zeros(80, dtype=bool))
+    wanted = Targets(np.zeros(80), static, kinetic, np.zeros(80, dtype=bool))
     *moved, impulse = solve_sequentially(rows, [slice(0, 80)], velocity, spin, wanted, sweeps=400)
     speed, normal = speeds(rows, *moved), rows.direction[:, 0]
     given_impulse = np.vecmat(impulse, rows.direction)
@@ -112,7 +112,7 @@ def test_resting_contacts_solve_the_complementarity_problem():
     _, groups, rows, velocity = chain(6, rng.uniform(1, 3, 6))
     velocity[1:] += rng.uniform(-0.02, 0.02, (6, 1)) * UP
     none = np.zeros(6)
-    wanted = Wanted(none, none, none, none > 0)
+    wanted = Targets(none, none, none, none > 0)
     *_, impulse = solve_sequentially(rows, groups, velocity, 0 * velocity, wanted, sweeps=2000)
     columns = np.zeros((6, 7, 6))
     columns[np.arange(6), rows.body_a] = rows.speed[:, 0, :6]
@@ -129,7 +129,7 @@ def test_the_lowest_of_ten_balls_carries_all_of_them():
     masses = np.linspace(1, 2, 10)
     order, groups, rows, velocity = chain(10, masses)
     none = np.zeros(10)
-    wanted, start = Wanted(none, none, none, none > 0), np.zeros((10, 3))
+    wanted, start = Targets(none, none, none, none > 0), np.zeros((10, 3))
     carried = []
     for _ in range(40):  # each from the last, as a step remembers
         *_, start = solve_sequentially(rows, groups, velocity, 0 * velocity, wanted, start, sweeps=10)

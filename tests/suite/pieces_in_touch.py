@@ -9,7 +9,7 @@ from solutions.impulse import rotation_matrix
 from solutions.sweeping import separation_of_hulls
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.narrow_phase import PAIRS
-from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Found, Placed
+from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Placed, Touching
 
 NO_FACES = np.zeros((0, 3), dtype=np.int64)
 UPRIGHT = np.eye(3)
@@ -52,7 +52,7 @@ def place(kind, position, rotation=UPRIGHT, size=None, vertices=None, faces=None
     return Placed(at, turned, size, at[:, None] + own @ turned.mT, FACES[kind] if faces is None else faces)
 
 
-def touch(kinds, a, b, margin=0.0) -> Found:
+def touch(kinds, a, b, margin=0.0) -> Touching:
     return PAIRS[kinds](a, b, margin)
 
 
