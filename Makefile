@@ -52,7 +52,7 @@ lint: $(READY)   ## style and types
 
 docs: $(READY)   ## draw the figures, and write the solved notebooks and the pages that come from code
 	$(BIN)/python docs/build.py
-docs/symbols.md: $(READY)
+docs/symbols.md: $(READY) $(wildcard labs/lessons/*.md labs/hints/*.md docs/figures/*.py reference/lecture/*.py)
 	$(BIN)/python docs/build.py
 
 verdicts: $(READY) ## count what each implementation made of the scenarios, for the page of the statements
@@ -74,3 +74,5 @@ baseline: $(READY) $(BUILT) ## what people receive, compared with the checksums 
 
 clean:           ## remove the environment and what was built
 	rm -rf $(VENV) $(OUT) .live .baseline .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf docs/course.md docs/statements.md docs/symbols.md docs/instructors docs/images/engines docs/images/statements
+	rm -f labs/figures/*.svg solutions/notebooks/*.ipynb

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import ast
 import re
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -24,6 +23,10 @@ from reference import lecture
 
 _PART = re.compile(r"^## (.+?)(?: \((\d+) minutes\))?$", re.MULTILINE)
 _SECTION = re.compile(r"^### (?:\d+\. )?(.+)$", re.MULTILINE)
+
+
+EXAMPLES = 4
+"""So many known mistakes of a function are named. The bank begins with the slide's own and the most obvious ones."""
 
 
 @dataclass(frozen=True)
@@ -160,9 +163,11 @@ def _mistakes(lesson: Lesson) -> Iterator[str]:
         "If a student's function makes a known mistake, the feedback says what it is. After grading, `class.html` shows"
         " which mistakes several students share. The texts of all of them are in `tests/autograder/misconceptions/`."
     )
-    known = Counter(entry.function for entry in read_bank())
-    rows = [f"| `{name}` | {points_of(name)} | {known[name]} |" for name in lesson.written]
-    yield "\n".join(["| function | points | known mistakes |", "|---|---|---|", *rows])
+    bank, rows = read_bank(), []
+    for name in lesson.written:
+        known = [entry.name for entry in bank if entry.function == name]
+        rows.append(f"| `{name}` | {points_of(name)} | {len(known)} | {', '.join(known[:EXAMPLES])} |")
+    yield "\n".join(["| function | points | known mistakes | such as |", "|---|---|---|---|", *rows])
 
 
 def _calls(lesson: Lesson, method: str) -> Iterator[ast.Call]:

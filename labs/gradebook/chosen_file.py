@@ -70,12 +70,6 @@ class Candidate:
         """Whether nothing in its name says that it is for this lab."""
         return self.name_rank[0] == _ANY
 
-    def may_be(self, other: Candidate) -> bool:
-        """Whether nothing but a name tells two files apart that are called otherwise and neither after the lab."""
-        alike = self.look.is_this_lab == other.look.is_this_lab and self.rank[1] == other.rank[1]
-        told = self.look.is_this_lab and self.entry.owner.number != other.entry.owner.number
-        return other.is_anything and alike and not told and self.file.path.name.lower() != other.file.path.name.lower()
-
 
 @dataclass(frozen=True)
 class Choice:

@@ -59,7 +59,8 @@ def drawing(name: str, alternative: str = "") -> Drawing:
     if not names() and DRAWING.is_dir():
         raise InvalidInput("labs/figures has no figure yet: `make docs` draws them")
     if name not in names():
-        raise UnknownName("figure", name, names())
+        unknown = UnknownName("figure", name, names())
+        raise InvalidInput(f"{unknown} `make docs` draws those that are missing.") if DRAWING.is_dir() else unknown
     svg = (FIGURES / f"{name}.svg").read_text(encoding="utf-8")
     try:
         root = ElementTree.fromstring(svg)

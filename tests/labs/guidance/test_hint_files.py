@@ -137,5 +137,5 @@ def test_a_figure_without_a_description_or_a_name_is_refused(draw):
     draw("<svg")
     with pytest.raises(InvalidInput, match="cannot be read"):
         drawings.drawing("peg")
-    with pytest.raises(UnknownName, match=r"unknown figure 'pig'. Did you mean 'peg'"):
+    with pytest.raises(InvalidInput, match=r"unknown figure 'pig'. Did you mean 'peg'.*`make docs` draws those"):
         drawings.drawing("pig")
