@@ -192,16 +192,16 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "limit dropped: np.maximum(k, 0.0) → shaped(k, 0.0)",
         ),
     },
-    "moved": {
+    "velocity_changes": {
         SYMMETRIC: ("transposed: inverse_inertia @ np.cross(r, impulse)[..., None] → …",),
     },
-    "_gained": {SYMMETRIC: ("transposed: inertia @ (spin - w)[..., None] → …",)},
+    "_gained": {SYMMETRIC: ("transposed: inertia @ turn[..., None] → …",)},
     "_softness": {
         NOT_NEGATIVE: ("size for it: …",),
         LEVER: (
             "boundary: lever > NO_LEVER * np.linalg.norm(r, axis=-1) → …",
             "condition dropped: lever > NO_LEVER * np.linalg.norm(r, axis=-1) → always(…",
-            "branch dropped: np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
+            "branch dropped: np.where(has_lever, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
         ),
         "The bound of what counts as rounding may be another one.": (
             "largest component: np.linalg.norm(…",
