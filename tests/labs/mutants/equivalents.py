@@ -249,7 +249,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "one for the other: b → a",
             "one for the other: a → b (2)",
             "one for the other: b → a (2)",
-            "branch dropped: np.where(flat… → shaped(both…",
+            "one for the other: start → end",
+            "one for the other: end → start",
+            "one for the other: start → end (2)",
+            "one for the other: end → start (2)",
+            "branch dropped: np.where(in_plane… → shaped(both…",
             "another function: np.minimum(first, last) → …",
             "limit dropped: …",
             "one for the other: first → …",
@@ -259,7 +263,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "one for the other: a → b (3)",
             "one for the other: a → b (4)",
         ),
-        NOT_NEGATIVE: ("size for it: np.where(flat…",),
+        NOT_NEGATIVE: ("size for it: np.where(in_plane…",),
     },
     "_side_by_side": {ONLY_THE_SHAPE: ("one for the other: start → end", "one for the other: end → start")},
     "_weights": {
@@ -268,7 +272,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: quotient(areas, …",
         ),
     },
-    "_share": {
+    "_crossing_share": {
         "A segment that goes through the plane does so at a share from 0 to 1.": (
             "size for it: np.clip(…",
             "limit dropped: np.clip(…",
@@ -286,7 +290,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "_ray_crosses": {
         ORDER: ("results swapped: ((b, c), (c, a)) → ((c, a), (b, c))",),
-        "The sign of a turn is its own inverse.": ("ratio for product: turn[same] * … → (other == turn[same]) / …",),
         NOT_NEGATIVE: ("size for it: crossed → np.abs(crossed)",),
     },
     "_before_face": {
@@ -307,9 +310,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "winding_number": {
         "Both ways of adding up give the same number.": (
-            "boundary: point.size * len(faces) > FEW → …",
-            "comparison turned round: point.size * len(faces) > FEW → …",
-            "condition dropped: point.size * len(faces) > FEW → …",
+            "boundary: point.size * len(faces) <= FEW → …",
+            "comparison turned round: point.size * len(faces) <= FEW → …",
+            "condition dropped: point.size * len(faces) <= FEW → …",
             "factor forgotten: point.size * len(faces) → …",
             "ratio for product: point.size * len(faces) → …",
             "size for it: winding_of_mesh(point, vertices, faces) → …",
