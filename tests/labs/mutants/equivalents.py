@@ -360,15 +360,15 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "boundary: closing > 0 → closing >= 0",
         ),
         "The root is used only where the ray meets the sphere.": (
-            "branch dropped: np.where(meets, discriminant, 0.0) → shaped(discriminant, meets)",
+            "branch dropped: np.where(meets, quarter, 0.0) → shaped(quarter, meets)",
         ),
         NOT_NEGATIVE: ("size for it: …",),
     },
     "sweep_sphere_sphere": {
         NOT_NEGATIVE: ("size for it: …",),
         "The root of a negative number is NaN, and NaN is in no step.": (
-            "in ray_sphere: condition dropped: (closing > 0) & (discriminant >= 0) → closing > 0",
-            "in ray_sphere: condition dropped: discriminant >= 0 → always(discriminant >= 0)",
+            "in ray_sphere: condition dropped: (closing > 0) & (quarter >= 0) → closing > 0",
+            "in ray_sphere: condition dropped: quarter >= 0 → always(quarter >= 0)",
         ),
     },
     "within": {NOT_NEGATIVE: ("size for it: …",)},
@@ -380,30 +380,19 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: ("size for it: (np.where(meets, entry, np.inf), … → (np.abs(…",),
     },
     "time_between": {
-        "It is multiplied by infinity.": (
-            "twice the number: 1.0 → 2.0",
-            "half the number: 1.0 → 0.5",
-            "twice the number: 1.0 → 2.0 (2)",
-            "half the number: 1.0 → 0.5 (2)",
-        ),
-        "A sign is its own inverse.": ("ratio for product: -place * np.sign(rate) → -place / np.sign(rate)",),
+        "A sign is its own inverse.": ("ratio for product: -x * np.sign(u) → -x / np.sign(u)",),
         "A slab behind the start is left before the start, whenever it is entered.": (
-            "size for it: middle - half → np.abs(middle) - half",
+            "size for it: to_middle - h → np.abs(to_middle) - h",
         ),
-        NOT_NEGATIVE: ("size for it: middle … np.abs(half)",),
-        "Of an interval that is empty, one end is enough.": (
-            "factor forgotten: -sign * np.inf → -sign",
-            "ratio for product: -sign * np.inf → …",
-            "ratio for product: sign * np.inf → np.inf / sign",
-        ),
+        NOT_NEGATIVE: ("size for it: to_middle … np.abs(h)",),
     },
     "ray_capsule": {
         "Where the side is not met, the place is that of no time, and the ends decide.": (
-            "branch dropped: np.where(np.isfinite(side), side, 0.0) → shaped(side, np.isfinite(side))",
+            "branch dropped: np.where(np.isfinite(time_side), time_side, 0.0) → shaped(…",
         ),
         "At the end of the side, the ball around this end is met at the same time.": (
-            "boundary: there >= 0 → there > 0",
-            "boundary: there <= 1 → there < 1",
+            "boundary: share_there >= 0 → share_there > 0",
+            "boundary: share_there <= 1 → share_there < 1",
         ),
         NOT_NEGATIVE: ("size for it: np.minimum(…",),
     },
@@ -489,7 +478,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: (np.inf, used) → …",
             "size for it: (np.nan, used) → …",
         ),
-        "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
+        "Without any approach the quotient is infinite as well.": ("boundary: closing <= 0 → closing < 0",),
     },
     "universal_gravity": {
         "Only its square is used.": ("softening: sign flipped",),
