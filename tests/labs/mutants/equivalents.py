@@ -388,7 +388,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "ray_capsule": {
         "Where the side is not met, the place is that of no time, and the ends decide.": (
-            "branch dropped: np.where(np.isfinite(time_side), time_side, 0.0) → shaped(…",
+            "branch dropped: np.where(np.isfinite(time_side), time_side, 0.0) → shaped(time_side…",
         ),
         "At the end of the side, the ball around this end is met at the same time.": (
             "boundary: share_there >= 0 → share_there > 0",
