@@ -25,7 +25,9 @@ Momentum:
 
 How hard a body is to turn:
 
-- `sphere_inertia`, `box_inertia`, `rod_inertia`: moments about the centre
+- `sphere_inertia`: moments of inertia of a solid ball about its centre
+- `box_inertia`: those of a solid box
+- `rod_inertia`: those of a thin rod
 - `rotation_matrix`: from the axes of the body to those of the world
 - `world_inertia`: I(t) of a turned body
 - `world_inverse_inertia`: I⁻¹(t) of a turned body (slide 18)

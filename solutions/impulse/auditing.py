@@ -1,7 +1,4 @@
-"""What an impact must leave as it is, counted before and after (slide 21).
-
-A wrong sign on B shows in one of three numbers.
-"""
+"""An account of an impact, in which a wrong sign on B shows (slide 21)."""
 
 from __future__ import annotations
 
@@ -27,9 +24,9 @@ def audit(
     as a door does on its hinges: then its spin counts. About an axis where its
     inverse inertia is 0 a body cannot be turned, and a spin about that axis
     adds nothing (see `mass_and_inertia`). The ground, whose inverses are all
-    0, adds nothing at all. Beside the ground,
-    ΔP is therefore what the ground has given; beside a body on a pivot, ΔP
-    and ΔL are what the pivot has given.
+    0, adds nothing at all. Beside the ground, ΔP is therefore what the ground
+    has given; beside a body on a pivot, ΔP and ΔL are what the pivot has
+    given.
 
     Parameters
     ----------
@@ -69,23 +66,25 @@ def audit(
 
     For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = M (v⁺ − v⁻)·(v⁺ + v⁻)/2: the change
     of the momentum times the mean of the two velocities. The same holds for
-    the spin. Where both bodies can move, a correct impact gives ΔE =
-    −`energy_lost`.
+    the spin. Where both bodies can move, a correct impact takes
+    `energy_lost`: ΔE is minus that.
     """
-    v_a, w_a, v_b, w_b = after
-    momentum_a, angular_a, energy_a = _gained(body_a, v_a, w_a)
-    momentum_b, angular_b, energy_b = _gained(body_b, v_b, w_b)
+    v_a, omega_a, v_b, omega_b = after
+    momentum_a, angular_a, energy_a = _gained(body_a, v_a, omega_a)
+    momentum_b, angular_b, energy_b = _gained(body_b, v_b, omega_b)
     return momentum_a + momentum_b, angular_a + angular_b, energy_a + energy_b
 
 
 def _gained(
-    body: Body, velocity: Array, spin: Array
+    body: Body, v_after: Array, omega_after: Array
 ) -> tuple[Array, Array, Array]:
     """ΔP, ΔL about the contact, and ΔE of one body with these velocities."""
-    v, w, r, inverse_mass, inverse_inertia = body
+    v_before, omega_before, r, inverse_mass, inverse_inertia = body
     mass, inertia = mass_and_inertia(inverse_mass, inverse_inertia)
-    momentum = mass[..., None] * (velocity - v)
-    own = (inertia @ (spin - w)[..., None])[..., 0]
-    angular_momentum = own - np.cross(r, momentum)
-    energy = (np.vecdot(momentum, velocity + v) + np.vecdot(own, spin + w)) / 2
-    return momentum, angular_momentum, energy
+    momentum = mass[..., None] * (v_after - v_before)
+    turn = omega_after - omega_before
+    spin_momentum = (inertia @ turn[..., None])[..., 0]
+    angular_momentum = spin_momentum - np.cross(r, momentum)
+    of_flight = np.vecdot(momentum, v_after + v_before)
+    of_spin = np.vecdot(spin_momentum, omega_after + omega_before)
+    return momentum, angular_momentum, (of_flight + of_spin) / 2

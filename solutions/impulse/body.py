@@ -75,7 +75,7 @@ Velocities = Annotated[
 """v_A, ω_A, v_B, ω_B, (..., 3) each, m/s and rad/s, finite."""
 
 
-def moved(body: Body, impulse: Array) -> tuple[Array, Array]:
+def velocity_changes(body: Body, impulse: Array) -> tuple[Array, Array]:
     """Changes Δv = J/M and Δω = I⁻¹(r × J) that an impulse (..., 3) makes."""
     _, _, r, inverse_mass, inverse_inertia = body
     dv = inverse_mass[..., None] * impulse

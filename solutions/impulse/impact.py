@@ -1,8 +1,4 @@
-"""An impact of two rigid bodies (slides 11, 18, 20 and 21).
-
-These functions find the impulse that makes the bodies rebound, and what it
-does to them.
-"""
+"""The impulse of an impact, and what it does (slides 11, 18, 20 and 21)."""
 
 from __future__ import annotations
 
@@ -10,7 +6,12 @@ import numpy as np
 
 from solutions.arrays import Array
 from solutions.domain import NotNegative, Share, Unit, Vector, domain
-from solutions.impulse.body import AnyBody, Body, Velocities, moved
+from solutions.impulse.body import (
+    AnyBody,
+    Body,
+    Velocities,
+    velocity_changes,
+)
 from solutions.impulse.points import (
     COLLIDING,
     classify_contact,
@@ -58,8 +59,8 @@ def apply_impulse(
     """
     v_a, w_a, *_ = body_a
     v_b, w_b, *_ = body_b
-    dv_a, dw_a = moved(body_a, impulse)
-    dv_b, dw_b = moved(body_b, impulse)
+    dv_a, dw_a = velocity_changes(body_a, impulse)
+    dv_b, dw_b = velocity_changes(body_b, impulse)
     return v_a + dv_a, w_a + dw_a, v_b - dv_b, w_b - dw_b
 
 
@@ -72,7 +73,7 @@ def impulse_magnitude(
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    normal : (..., 3), unit, from B to A
+    normal : (..., 3), n, unit, from B to A
     restitution : (...), e, 0 to 1
 
     Returns
@@ -121,12 +122,12 @@ def inverse_effective_mass(
 ) -> Array:
     """Normal velocity that the points gain from a unit impulse (slide 20).
 
-    It is the denominator of the slide's impulse.
+    It is the denominator of j in `impulse_magnitude`.
 
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    normal : (..., 3), unit, from B to A
+    normal : (..., 3), n, unit, from B to A
         The opposite normal gives the same k.
 
     Returns
@@ -166,11 +167,11 @@ def _softness(body: Body, normal: Array) -> Array:
     body on a pivot, 1/M = 0, a spin of any size.
     """
     r = body.arm
-    dv, dw = moved(body, normal)
+    dv, dw = velocity_changes(body, normal)
     lever = np.linalg.norm(np.cross(r, normal), axis=-1)
-    turns = lever > NO_LEVER * np.linalg.norm(r, axis=-1)
-    turning = np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0)
-    return np.vecdot(normal, dv) + turning
+    has_lever = lever > NO_LEVER * np.linalg.norm(r, axis=-1)
+    turning = np.where(has_lever, np.vecdot(normal, np.cross(dw, r)), 0.0)
+    return np.vecdot(normal, dv) + turning  # n·(n/M) is 1/M
 
 
 @domain
@@ -188,7 +189,7 @@ def collide(
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    normal : (..., 3), unit, from B to A
+    normal : (..., 3), n, unit, from B to A
     restitution : (...), e, 0 to 1
     threshold : (...), m/s, not negative
         A pair that closes no faster than this is resting.
@@ -201,9 +202,11 @@ def collide(
 
     Notes
     -----
-    This is the whole of slide 21. Compute the velocities of the two points and
-    the velocity along the normal. If the points collide, apply the impulse j n
-    to A and −j n to B.
+    This is slide 21 with velocities: `apply_impulse_to_momenta` has its P and
+    L. Compute the velocities of the two points and the velocity along the
+    normal. If the points collide, apply the impulse j n to A and −j n to B. If
+    they rest or move away, do nothing: these branches are empty here, as they
+    are on the slide.
     """
     u_n = normal_velocity(body_a, body_b, normal)
     colliding = classify_contact(u_n, threshold) == COLLIDING
@@ -221,7 +224,7 @@ def energy_lost(
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    normal : (..., 3), unit, from B to A
+    normal : (..., 3), n, unit, from B to A
     restitution : (...), e, 0 to 1
 
     Returns
@@ -236,10 +239,11 @@ def energy_lost(
     motion has the velocity −e u_n⁻ and so the share e² of this energy. The
     impact takes the difference:
 
-        ΔE = (1 − e²) u_n⁻²/(2k)
+        E_lost = (1 − e²) u_n⁻²/(2k)
 
-    An immovable body that moves does work besides. Beside such a body, ΔE is
-    the loss as seen by an observer who moves along with its point of contact.
+    An immovable body that moves does work besides. Beside such a body, E_lost
+    is the loss as seen by an observer who moves along with its point of
+    contact.
     """
     u_n = normal_velocity(body_a, body_b, normal)
     closing = np.minimum(u_n, 0.0)

@@ -1,7 +1,4 @@
-"""Moments of inertia, and their inverse in the world frame (slide 18).
-
-They say how hard a body is to turn.
-"""
+"""How hard a body is to turn: moments of inertia and I⁻¹(t) (slide 18)."""
 
 from __future__ import annotations
 
@@ -79,6 +76,7 @@ def box_inertia(mass: Positive, size: Lengths) -> Array:
 
         I_a = m (b² + c²)/12
     """
+    # The two edges across each axis: b and c across a, and so on.
     second, third = size[..., [1, 0, 0]], size[..., [2, 2, 1]]
     return _moments(mass, (second**2 + third**2) / 12)
 
@@ -115,7 +113,7 @@ def rotation_matrix(orientation: Quaternion) -> Array:
     Parameters
     ----------
     orientation : (..., 4), unit quaternion w, x, y, z
-        q and −q are the same orientation.
+        The opposite quaternion is the same orientation.
 
     Returns
     -------
@@ -124,17 +122,18 @@ def rotation_matrix(orientation: Quaternion) -> Array:
 
     Notes
     -----
-    For the unit quaternion w + x i + y j + z k, with q = (x, y, z) and with
-    [q×] for the matrix of the cross product, [q×] p = q × p:
+    For the unit quaternion w + x i + y j + z k, with q = (x, y, z) for its
+    vector part and [q×] for the matrix of the cross product, [q×] p = q × p:
 
         R = 1 + 2 w [q×] + 2 [q×]²
     """
     # Single precision may leave a length that is not quite 1: correct it.
-    q = direction(orientation)
-    w, axis = q[..., :1, None], q[..., None, 1:]
+    quaternion = direction(orientation)
+    w, q = quaternion[..., 0], quaternion[..., 1:]
     # The columns of [q×] are q × each axis.
-    cross = np.swapaxes(np.cross(axis, np.eye(3)), -1, -2)
-    return np.eye(3) + 2 * w * cross + 2 * cross @ cross
+    columns = np.cross(q[..., None, :], np.eye(3))
+    cross = np.swapaxes(columns, -1, -2)
+    return np.eye(3) + 2 * w[..., None, None] * cross + 2 * cross @ cross
 
 
 @domain

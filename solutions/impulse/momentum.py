@@ -1,8 +1,4 @@
-"""Impulse and momentum (slides 13, 16 and 21).
-
-A short force leaves an impulse, which changes the momentum P and the angular
-momentum L.
-"""
+"""Impulses and the momenta P and L they change (slides 13, 16 and 21)."""
 
 from __future__ import annotations
 
@@ -102,7 +98,7 @@ def contact_impulses(magnitude: Number, normal: Unit) -> tuple[Array, Array]:
     Parameters
     ----------
     magnitude : (...), j, N s
-    normal : (..., 3), unit, from B to A
+    normal : (..., 3), n, unit, from B to A
 
     Returns
     -------

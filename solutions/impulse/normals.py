@@ -1,7 +1,4 @@
-"""The normal of a contact, always from B to A (slide 17).
-
-It is the normal of a face, or the direction across two edges.
-"""
+"""The normal of a face or of two edges in contact, from B to A (slide 17)."""
 
 from __future__ import annotations
 
@@ -105,5 +102,5 @@ def _refuse_parallel(edge_a: Array, edge_b: Array, sine: Array) -> None:
 
 def _towards_a(normal: Array, centre_a: Array, centre_b: Array) -> Array:
     """The normal, turned round if it points from A's centre to B's."""
-    away = np.vecdot(normal, centre_a - centre_b) < 0
-    return np.where(away[..., None], -normal, normal)
+    towards_b = np.vecdot(normal, centre_a - centre_b) < 0
+    return np.where(towards_b[..., None], -normal, normal)

@@ -1,7 +1,4 @@
-"""Velocities at the point of contact (slides 12, 14, 15, 19 and 21).
-
-They say whether two bodies collide, and how they are to rebound.
-"""
+"""Velocities where two bodies touch (slides 12, 14, 15, 19 and 21)."""
 
 from __future__ import annotations
 
@@ -96,7 +93,7 @@ def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: Unit) -> Array:
     ----------
     body_a, body_b : Body, or a tuple in its order
         Neither the masses nor the inertias make a difference.
-    normal : (..., 3), unit, from B to A
+    normal : (..., 3), n, unit, from B to A
 
     Returns
     -------
@@ -105,9 +102,9 @@ def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: Unit) -> Array:
 
     Notes
     -----
-        u_n = n·u
-        u = ṗ_A − ṗ_B
         ṗ = v + ω × r
+        u = ṗ_A − ṗ_B
+        u_n = n·u
 
     The velocities before the impact give u_n⁻, and those after it give u_n⁺.
     """
@@ -171,5 +168,5 @@ def classify_contact(
     """
     approaching = normal_velocity < -threshold
     parting = normal_velocity > threshold
-    kind = np.where(parting, SEPARATING, RESTING)
-    return np.where(approaching, COLLIDING, kind)
+    not_colliding = np.where(parting, SEPARATING, RESTING)
+    return np.where(approaching, COLLIDING, not_colliding)

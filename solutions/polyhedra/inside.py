@@ -94,10 +94,10 @@ def inside_by_parity(
     points = point.reshape(-1, 3)
     inside = np.zeros(len(points), dtype=bool)
     for block in blocks(len(points), len(faces)):
-        some = points[block]
-        which, face = _faces_above(some, corners)
-        crossed = _ray_crosses(some[which], corners[face])
-        crossings = np.bincount(which[crossed], minlength=len(some))
+        starts = points[block]
+        ray, face = _faces_above(starts, corners)  # numbers of both, in pairs
+        crossed = _ray_crosses(starts[ray], corners[face])
+        crossings = np.bincount(ray[crossed], minlength=len(starts))
         inside[block] = crossings % 2 == 1
     return inside.reshape(point.shape[:-1])
 
@@ -133,27 +133,21 @@ def winding_number(point: Vector, vertices: Vertices, faces: Faces) -> Array:
     It is the sum of the solid angles Ω of all faces, as seen from the point
     (`solid_angle`), over that of the whole sphere:
 
-        w = Σ Ω / 4π
+        w = Σ Ω/(4π)
 
     From inside a closed surface, every direction meets one back more than it
     meets fronts. The solid angles therefore add up to the whole sphere, which
     is 4π. From outside, every direction meets as many fronts as backs, and the
     sum is zero.
 
-    For many points or faces the sum is shortened (`winding_of_mesh`). It stays
-    the same up to rounding, which is some 10⁻¹³ for a thousand faces. A part
-    of the mesh is replaced by faces with the same rim, so a closed mesh saves
-    most. Where a third of the faces is missing all over a mesh, every part has
-    a long rim and nothing is saved. Then 1000 points and 7000 faces take about
-    half a second, and the time grows with the product of both numbers.
-    `fast_winding_number` of libigl takes distant faces together. It is some
-    forty times as fast there, and right to a hundredth.
+    For many points or faces the same sum is taken over fewer faces
+    (`winding_of_mesh`).
     """
-    corners = corners_of(vertices, faces)
-    if point.size * len(faces) > FEW:
-        return winding_of_mesh(point, vertices, faces)
-    angles = solid_angle(point[..., None, :], corners)
-    return np.sum(angles, axis=-1) / (4 * np.pi)
+    corners = corners_of(vertices, faces)  # refuses vertices not there
+    if point.size * len(faces) <= FEW:
+        angles = solid_angle(point[..., None, :], corners)
+        return np.sum(angles, axis=-1) / (4 * np.pi)
+    return winding_of_mesh(point, vertices, faces)
 
 
 @domain
@@ -201,8 +195,8 @@ def _faces_above(point: Array, corners: Array) -> tuple[Integers, Integers]:
     low = np.min(corners, axis=1).T
     high = np.max(corners, axis=1).T
     beside = (low[0] <= x) & (x <= high[0]) & (low[1] <= y) & (y <= high[1])
-    which, face = np.nonzero(beside & (z <= high[2]))
-    return which, face
+    ray, face = np.nonzero(beside & (z <= high[2]))
+    return ray, face
 
 
 def _ray_crosses(p: Array, corners: Array) -> Booleans:
@@ -211,17 +205,20 @@ def _ray_crosses(p: Array, corners: Array) -> Booleans:
     The ray starts at the point moved by (ε, ε², ε³).
     """
     a, b, c = np.moveaxis(corners, 1, 0)
-    turn = _beside_edge(a, b, p)
-    # Seen from above, the ray must start on the same side of all three edges.
+    # Seen from above, p must be on the same side of all three edges. Where it
+    # is not, the side becomes 0.
+    side = _beside_edge(a, b, p)
     for start, end in ((b, c), (c, a)):
-        same = turn != 0
-        other = _beside_edge(start[same], end[same], p[same])
-        turn[same] *= other == turn[same]
-    crossed = turn != 0
-    side = _before_face(a[crossed], b[crossed], c[crossed], p[crossed])
-    # The face is above the start if it looks up and the start is behind it,
-    # or if it looks down and the start is in front of it.
-    crossed[crossed] = side != turn[crossed]
+        same = side != 0
+        beside = _beside_edge(start[same], end[same], p[same])
+        side[same] = np.where(beside == side[same], beside, 0)
+    on_line = side != 0  # the upright line through p goes through the face
+    before = _before_face(a[on_line], b[on_line], c[on_line], p[on_line])
+    # Left of all edges, +1: the face looks up. It is above p if p is behind
+    # it, −1. Right of all edges, −1: the face looks down. It is above p if p
+    # is in front of it, +1.
+    crossed = on_line.copy()
+    crossed[on_line] = before != side[on_line]
     return crossed
 
 

@@ -85,11 +85,11 @@ def polyhedra_intersect(
 
     Notes
     -----
-    Suppose that the two solids have a point in common. Either their surfaces
-    meet as well. Then two faces meet, and an edge of one meets a face of the
-    other (`edges_through_faces`). Or the surfaces do not meet. Then a whole
-    part of one solid is inside the other, and so are its vertices
-    (`inside_by_parity`). The function looks for both, in A and in B.
+    Suppose that the two solids have a point in common. If their surfaces do
+    not meet, a whole part of one solid is inside the other, and so are its
+    vertices (`inside_by_parity`). If their surfaces meet, two faces meet, and
+    an edge of one meets a face of the other (`edges_through_faces`). The
+    function looks for both, in A and in B.
 
     Neither half will do by itself. A bar pushed through a cube has no vertex
     in the cube, and the cube has none in the bar. A small cube within a large
@@ -99,10 +99,11 @@ def polyhedra_intersect(
     """
     a = vertices_a, faces_a
     b = vertices_b, faces_b
-    ends_a = vertices_a[np.unique(mesh_edges(*a))]
-    ends_b = vertices_b[np.unique(mesh_edges(*b))]
-    a_in_b = np.any(inside_by_parity(ends_a, *b))
-    b_in_a = np.any(inside_by_parity(ends_b, *a))
+    # All vertices that belong to a face are the end of an edge.
+    corners_a = vertices_a[np.unique(mesh_edges(*a))]
+    corners_b = vertices_b[np.unique(mesh_edges(*b))]
+    a_in_b = np.any(inside_by_parity(corners_a, *b))
+    b_in_a = np.any(inside_by_parity(corners_b, *a))
     return bool(
         a_in_b
         or b_in_a

@@ -1,7 +1,4 @@
-"""Signs that say on which side a point is: in floats, and exact (slide 9).
-
-The exact signs decide whether something is inside.
-"""
+"""Signs that say on which side a point is: in floats, and exact (slide 9)."""
 
 from __future__ import annotations
 
@@ -93,9 +90,9 @@ def orient2d(a: Point2d, b: Point2d, c: Point2d) -> Sign:
 
     Notes
     -----
-    The result is the
+    The result is the sign of
 
-        sign of (b − a)×(c − a)
+        (b − a)×(c − a)
 
     This cross product is twice the signed area of the triangle a, b, c. It is
     positive where the corners run counter-clockwise, which means that c is on
@@ -128,9 +125,9 @@ def orient3d(a: Vector, b: Vector, c: Vector, d: Vector) -> Sign:
 
     Notes
     -----
-    The result is the
+    The result is the sign of
 
-        sign of ((b − a)×(c − a))·(d − a)
+        ((b − a)×(c − a))·(d − a)
 
     The cross product is a normal of the face that points to its front. Its dot
     product with d − a is therefore positive when d is in front. As in

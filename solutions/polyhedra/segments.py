@@ -39,19 +39,19 @@ def segment_plane(
 
     Notes
     -----
-    The share is
+    With s₀ and s₁ for the signed distances of start and end from the plane,
+    the share is
 
-        t = s0/(s0 − s1)
+        t = s₀/(s₀ − s₁)
 
-    Here s0 and s1 are the signed distances of start and end from the plane.
     Along the segment the signed distance changes at a steady rate, so that it
-    is s0 + t (s1 − s0) at the share t. The segment meets the plane where this
+    is s₀ + t (s₁ − s₀) at the share t. The segment meets the plane where this
     is zero, which gives t.
     """
     s0 = signed_distance(start, normal, offset)
     s1 = signed_distance(end, normal, offset)
     meets = (np.minimum(s0, s1) <= 0) & (np.maximum(s0, s1) >= 0)
-    return np.where(meets, _share(s0, s1), np.inf)
+    return np.where(meets, _crossing_share(s0, s1), np.inf)
 
 
 @domain
@@ -97,10 +97,12 @@ def segment_triangle(
     triangle, the segment goes through the plane at the share t = s₀/(s₀ − s₁)
     (`segment_plane`), if s₀ and s₁ do not have the same sign. The point x
     found there makes a triangle with each side of the triangle a, b, c. The
-    weights are the shares of these three areas,
+    weights are the shares of the areas of these three. With A_a for the area
+    that x makes with the side b c, times 2‖n‖, which drops out,
 
-        w_a = n·((b − x)×(c − x)) / n·n
         n = (b − a)×(c − a)
+        A_a = n·((b − x)×(c − x))
+        w_a = A_a/(A_a + A_b + A_c)
 
     and so on round the triangle. An area is negative where x is beyond that
     side, so x is on the triangle if no weight is negative. Weights give the
@@ -115,19 +117,20 @@ def segment_triangle(
     point of the triangle. The function takes the candidate whose point on the
     triangle is nearest to its point on the segment.
     """
-    p, q, corners = _side_by_side(start, end, triangle)
+    start, end, corners = _side_by_side(start, end, triangle)
     a, b, c = (corners[..., k, :] for k in range(3))
     normal = np.cross(b - a, c - a)
     has_area = np.any(normal != 0, axis=-1)
     require(has_area, "triangle must have an area: one has none")
-    shares = _candidates(p, q, corners, normal)
-    places = p[..., None, :] + shares[..., None] * (q - p)[..., None, :]
+    shares = _candidates(start, end, corners, normal)
+    steps = shares[..., None] * (end - start)[..., None, :]
+    places = start[..., None, :] + steps
     weights = _weights(places, corners[..., None, :, :], normal[..., None, :])
     distance = np.linalg.norm(weights @ corners - places, axis=-1)
     nearest = np.argmin(distance, axis=-1)[..., None]
     t = np.take_along_axis(shares, nearest, axis=-1)[..., 0]
     w = np.take_along_axis(weights, nearest[..., None], axis=-2)[..., 0, :]
-    meets = segment_meets_triangle(p, q, corners)
+    meets = segment_meets_triangle(start, end, corners)
     fraction = np.where(meets, t, np.inf)
     return fraction, np.where(meets[..., None], w, np.nan)
 
@@ -161,17 +164,18 @@ def segment_meets_triangle(
     In a view they are apart if a line along one of the triangle's sides, or
     along the segment, separates them.
     """
-    p, q, corners = _side_by_side(start, end, triangle)
-    shape = p.shape[:-1]
-    p, q = p.reshape(-1, 3), q.reshape(-1, 3)
+    start, end, corners = _side_by_side(start, end, triangle)
+    shape = start.shape[:-1]
+    start, end = start.reshape(-1, 3), end.reshape(-1, 3)
     a, b, c = np.moveaxis(corners.reshape(-1, 3, 3), 1, 0)
-    side_p = orient3d(a, b, c, p)
-    side_q = orient3d(a, b, c, q)
-    meets = side_p * side_q <= 0
-    flat = (side_p == 0) & (side_q == 0)
-    steep = meets & ~flat
-    meets[steep] = _passes_through(*(x[steep] for x in (p, q, a, b, c)))
-    meets[flat] = _meets_in_plane(*(x[flat] for x in (p, q, a, b, c)))
+    side_of_start = orient3d(a, b, c, start)
+    side_of_end = orient3d(a, b, c, end)
+    meets = side_of_start * side_of_end <= 0
+    in_plane = (side_of_start == 0) & (side_of_end == 0)
+    steep = meets & ~in_plane
+    points = start, end, a, b, c
+    meets[steep] = _passes_through(*(x[steep] for x in points))
+    meets[in_plane] = _meets_in_plane(*(x[in_plane] for x in points))
     return meets.reshape(shape)
 
 
@@ -190,35 +194,41 @@ def _side_by_side(
 
 
 def _passes_through(
-    p: Array, q: Array, a: Array, b: Array, c: Array
+    start: Array, end: Array, a: Array, b: Array, c: Array
 ) -> Booleans:
     """Whether a line passes the three sides of a triangle with one turn."""
     turns = np.stack(
-        [orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)]
+        [
+            orient3d(start, end, a, b),
+            orient3d(start, end, b, c),
+            orient3d(start, end, c, a),
+        ]
     )
     return np.all(turns >= 0, axis=0) | np.all(turns <= 0, axis=0)
 
 
 def _meets_in_plane(
-    p: Array, q: Array, a: Array, b: Array, c: Array
+    start: Array, end: Array, a: Array, b: Array, c: Array
 ) -> Booleans:
     """Whether they meet when all five points are in one plane.
 
     Seen along x, y and z they must meet, and one view at least must not be
     edge-on.
     """
-    meets = np.ones(len(p), dtype=bool)
-    area = np.zeros(len(p), dtype=bool)
+    meets = np.ones(len(start), dtype=bool)
+    has_area = np.zeros(len(start), dtype=bool)
     for look in LOOKS:
-        start, end, *corners = (x[:, look] for x in (p, q, a, b, c))
+        start_2d, end_2d, *corners = (
+            x[:, look] for x in (start, end, a, b, c)
+        )
         turn = orient2d(*corners)
-        area |= turn != 0
-        meets &= ~_apart_in_view(start, end, corners, turn)
-    return meets & area
+        has_area |= turn != 0
+        meets &= ~_apart_in_view(start_2d, end_2d, corners, turn)
+    return meets & has_area
 
 
 def _apart_in_view(
-    p: Array, q: Array, corners: list[Array], turn: Sign
+    start: Array, end: Array, corners: list[Array], turn: Sign
 ) -> Booleans:
     """Whether a line has the segment and the triangle on its two sides.
 
@@ -226,21 +236,24 @@ def _apart_in_view(
     touch only the one that it is along.
     """
     a, b, c = corners
-    sides = np.stack([orient2d(p, q, corner) for corner in corners])
+    sides = np.stack([orient2d(start, end, corner) for corner in corners])
     apart = np.all(sides > 0, axis=0) | np.all(sides < 0, axis=0)
-    for start, end in ((a, b), (b, c), (c, a)):
-        beyond_p = orient2d(start, end, p) * turn < 0
-        beyond_q = orient2d(start, end, q) * turn < 0
-        apart |= beyond_p & beyond_q
+    for first, second in ((a, b), (b, c), (c, a)):
+        start_beyond = orient2d(first, second, start) * turn < 0
+        end_beyond = orient2d(first, second, end) * turn < 0
+        apart |= start_beyond & end_beyond
     return apart
 
 
-def _share(s0: Array, s1: Array) -> Array:
-    """s0/(s0 − s1), 0 to 1; 0 where both are 0."""
+def _crossing_share(s0: Array, s1: Array) -> Array:
+    """Share s₀/(s₀ − s₁), 0 to 1, of a segment at which its height is 0."""
+    # It is 0 where both ends are on the plane: there s₀ is 0 itself.
     return np.clip(quotient(s0, s0 - s1, s0), 0.0, 1.0)
 
 
-def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
+def _candidates(
+    start: Array, end: Array, corners: Array, normal: Array
+) -> Array:
     """Two shares of a segment, (..., 2), at which it may meet a triangle.
 
     The first is where the segment goes through the plane. The second is the
@@ -249,17 +262,19 @@ def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
     the first. If the segment is in the plane, both are where it enters.
     """
     a, b, c = (corners[..., k, :] for k in range(3))
-    flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
-    first, last = _stretch(p, q, corners, normal)
-    through = _share(np.vecdot(normal, p - a), np.vecdot(normal, q - a))
+    in_plane = (orient3d(a, b, c, start) == 0) & (orient3d(a, b, c, end) == 0)
+    first, last = _stretch(start, end, corners, normal)
+    s0 = np.vecdot(normal, start - a)
+    s1 = np.vecdot(normal, end - a)
+    through = _crossing_share(s0, s1)
     within = np.clip(through, first, last)
     enters = np.minimum(first, last)[..., None]
     both = np.stack([through, within], axis=-1)
-    return np.where(flat[..., None], enters, both)
+    return np.where(in_plane[..., None], enters, both)
 
 
 def _stretch(
-    p: Array, q: Array, corners: Array, normal: Array
+    start: Array, end: Array, corners: Array, normal: Array
 ) -> tuple[Array, Array]:
     """Shares of a segment between which it is within all sides.
 
@@ -268,7 +283,7 @@ def _stretch(
     """
     sides = np.roll(corners, -1, axis=-2) - corners
     inward = np.cross(normal[..., None, :], sides)
-    start, end = p[..., None, :], q[..., None, :]
+    start, end = start[..., None, :], end[..., None, :]
     s0 = np.vecdot(inward, start - corners)
     s1 = np.vecdot(inward, end - corners)
     places = np.concatenate([start, end, corners], axis=-2)
@@ -278,7 +293,7 @@ def _stretch(
     length = np.linalg.norm(normal, axis=-1, keepdims=True)
     length = length * np.linalg.norm(sides, axis=-1)
     on = -ROUNDING * length * size[..., None]
-    share = _share(s0, s1)
+    share = _crossing_share(s0, s1)
     first = np.where((s0 < on) & (s1 >= on), share, 0.0)
     last = np.where((s1 < on) & (s0 >= on), share, 1.0)
     return np.max(first, axis=-1), np.min(last, axis=-1)

@@ -3,14 +3,36 @@
 Bodies that only fly are reduced to a relative motion, and a ray against a
 Minkowski sum. Bodies that turn are swept by conservative advancement.
 
-motion       the motion of one body relative to the other, and a bound on it
-rays         a ray against a sphere, a capsule and a box
-spheres      two balls, and a ball and a plane
-looking      what one look per step misses, and looks that miss nothing
-advancement  any two convex bodies that fly and turn
-nearest      how far two convex bodies are apart, and along which direction
-features     corner against face, and edge against edge, in straight motion
-rounds       the loop of conservative advancement, for many pairs at once
+The motion of one body relative to the other:
+
+- `relative_motion`: of A as seen from B
+- `rotated`: a vector after a turn about an axis
+- `motion_bound`: the fastest that any point of a body moves along a direction
+
+Bodies that only fly:
+
+- `ray_sphere`: when a ray meets a sphere
+- `ray_capsule`: when a ray meets a capsule
+- `ray_box`: from when to when a ray is in a box
+- `sweep_sphere_sphere`: when two balls first touch
+- `sweep_sphere_plane`: when a ball first touches a plane
+
+Looks that miss a contact, and looks that miss nothing:
+
+- `missed_share`: the share of the collisions that one look per step misses
+- `advance`: when a hull that moves and turns first touches one that rests
+
+Bodies that turn:
+
+- `nearest_on_triangle`: the point of a triangle nearest to a given point
+- `separation_of_hulls`: how far two bodies are apart, and in which direction
+- `sweep_convex`: when any two convex bodies first touch
+- `UndecidedWarning`: given where the looks were too few to decide
+
+Corners, edges and faces in straight motion:
+
+- `vertex_face_impact`: when a corner meets a face
+- `edge_edge_impact`: when two edges meet
 """
 
 from solutions.sweeping.advancement import sweep_convex

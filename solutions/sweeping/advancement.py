@@ -198,13 +198,13 @@ class _Body:
     def far_from(self, other: _Body) -> Array:
         """Distances (N,) between the first corners of two bodies, m."""
         corner = self.position + self.points[:, 0]
-        way = corner - other.position - other.points[:, 0]
-        return np.linalg.norm(way, axis=-1)
+        apart = corner - other.position - other.points[:, 0]
+        return np.linalg.norm(apart, axis=-1)
 
     def place(self, pairs: Pairs, time: Array) -> Array:
         """Points (N, 1, 3) about which some bodies turn, at a time, m."""
-        way = self.velocity[pairs] * time[:, None]
-        return (self.position[pairs] + way)[:, None, :]
+        flown = self.velocity[pairs] * time[:, None]
+        return (self.position[pairs] + flown)[:, None, :]
 
     def corners(self, pairs: Pairs, time: Array) -> Array:
         """Points of some bodies at a time, from where they turn about, m."""

@@ -47,22 +47,22 @@ def missed_share(
 
     A look falls on the chord with the probability c/D, and certainly where
     c ≥ D. The offsets within b are π b² of all π R². With c² = 4 (R² − b²),
-    the share of the chords shorter than c is therefore c²/4R², and the share
-    of those between c and c + dc is c dc/2R². Chords shorter than D can be
+    the share of the chords shorter than c is therefore c²/(4R²), and the share
+    of those between c and c + dc is c dc/(2R²). Chords shorter than D can be
     missed, each with the probability 1 − c/D. For D ≤ 2R the share missed is
 
-        ∫₀ᴰ (1 − c/D) c dc/2R² = D²/12R²
+        ∫₀ᴰ (1 − c/D) c dc/(2R²) = D²/(12R²)
 
     A longer step can miss every chord, also the longest one of 2R. The
     integral then ends at 2R, and its value is
 
-        1 − 4R/3D
+        1 − 4R/(3D)
     """
     radius = radius_a + radius_b
-    way = speed * dt
-    few = quotient(way, radius) ** 2 / 12
-    many = 1 - quotient(4 / 3 * radius, way)
-    return np.where(way <= 2 * radius, few, many)
+    moved = speed * dt
+    of_short_step = quotient(moved, radius) ** 2 / 12
+    of_long_step = 1 - quotient(4 / 3 * radius, moved)
+    return np.where(moved <= 2 * radius, of_short_step, of_long_step)
 
 
 @domain
@@ -131,7 +131,9 @@ def advance(
         if separation <= tolerance:
             return time, used
         closing = motion_bound(velocity_a, angular_velocity_a, reach, -normal)
-        time = time + float(separation / closing) if closing > 0 else np.inf
+        if closing <= 0:
+            return np.inf, used
+        time = time + float(separation / closing)  # by s/μ
         if time > dt:
             return np.inf, used
     return np.nan, used

@@ -17,7 +17,7 @@ def relative_motion(
 ) -> tuple[Array, Array]:
     """Motion of A as seen from B (slide 10).
 
-    The slide says: "compute the motion of one object relative to the other".
+    The slide says: "Compute motion of one relative to other".
 
     Parameters
     ----------
@@ -73,10 +73,12 @@ def rotated(point: Vector, rotation: Vector) -> Array:
     """
     p, w = point, rotation
     angle = np.linalg.norm(w, axis=-1)[..., None]
-    sine = np.sinc(angle / np.pi)  # sin θ/θ, 1 at 0
-    rest = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 − cos θ)/θ², ½ at 0
-    along = w * np.vecdot(w, p)[..., None]
-    return p * np.cos(angle) + np.cross(w, p) * sine + along * rest
+    # The quotients are 1 and ½ at 0: sinc(x) is sin(πx)/(πx), and 1 at 0.
+    sine_share = np.sinc(angle / np.pi)  # sin θ/θ
+    cosine_share = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 − cos θ)/θ²
+    axis_part = w * np.vecdot(w, p)[..., None]  # times θ²
+    turned = p * np.cos(angle) + np.cross(w, p) * sine_share
+    return turned + axis_part * cosine_share
 
 
 @domain

@@ -1,7 +1,4 @@
-"""Nearest points of two convex bodies, found on their Minkowski difference.
-
-They belong to the point of the difference that is nearest to the origin.
-"""
+"""Nearest points of convex bodies: their Minkowski difference (slide 10)."""
 
 from __future__ import annotations
 
@@ -72,14 +69,14 @@ def separation_of_hulls(
     for _ in range(ROUNDS):
         weights, nearest = _nearest_on_tetrahedron(corners)
         distance = np.linalg.norm(nearest, axis=-1)
-        way = quotient(nearest, distance[..., None])
-        support = farthest(a, -way) - farthest(b, way)
-        separation = np.vecdot(way, support)
-        # The hulls are apart by this much, whichever direction it was found
-        # along.
+        n = quotient(nearest, distance[..., None])
+        support = farthest(a, -n) - farthest(b, n)
+        separation = np.vecdot(n, support)
+        # The hulls are apart by this much along n, whether or not n is the
+        # best direction.
         better = separation > best
         best = np.where(better, separation, best)
-        normal = np.where(better[..., None], way, normal)
+        normal = np.where(better[..., None], n, normal)
         done |= distance >= last  # the distance falls until rounding stops it
         last = np.minimum(distance, last)
         if np.all(done):
@@ -141,13 +138,13 @@ def nearest_on_triangle(point: Vector, triangle: Triangle) -> Array:
     return nearest_weights(corners, triangle, edges)
 
 
-def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
+def nearest_weights(corners: Array, places: Array, edges: Array) -> Array:
     """Weights of triangles' corners at the points nearest to the origin.
 
-    The corners are measured from there. Their places, and the edges as ways
-    from one place to the next, may be measured from elsewhere.
+    The corners are measured from there. Their places, and the edges from one
+    place to the next, may be measured from elsewhere.
     """
-    on_edges, inside = _on_edges(corners, ways), _inside(corners, ways)
+    on_edges, inside = _on_edges(corners, edges), _inside(corners, edges)
     weights = np.concatenate([on_edges, inside[..., None, :]], axis=-2)
     nearest = weights @ corners
     step = (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
@@ -158,22 +155,22 @@ def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
     return _chosen(weights, best)
 
 
-def _on_edges(corners: Array, ways: Array) -> Array:
+def _on_edges(corners: Array, edges: Array) -> Array:
     """Weights (..., 3, 3) of points on edges 01, 12, 20 nearest to 0."""
-    share = quotient(-np.vecdot(corners, ways), np.vecdot(ways, ways))
+    share = quotient(-np.vecdot(corners, edges), np.vecdot(edges, edges))
     share = np.clip(share, 0.0, 1.0)[..., None]
     return (1 - share) * np.eye(3) + share * np.roll(np.eye(3), 1, axis=-1)
 
 
-def _inside(corners: Array, ways: Array) -> Array:
+def _inside(corners: Array, edges: Array) -> Array:
     """Weights (..., 3) of the origin's foot on the plane, pushed back inside.
 
     Without a plane, they are those of the first corner.
     """
-    normal = np.cross(ways[..., 0, :], ways[..., 1, :])
+    normal = np.cross(edges[..., 0, :], edges[..., 1, :])
     # Each is in proportion to the area of the triangle of the foot and that
     # edge.
-    beside = np.vecdot(np.cross(corners, ways), normal[..., None, :])
+    beside = np.vecdot(np.cross(corners, edges), normal[..., None, :])
     # The triangle on the edge 12 is the weight of the corner 0.
     shares = np.maximum(np.roll(beside, -1, axis=-1), 0.0)
     total = shares.sum(axis=-1, keepdims=True)

@@ -14,14 +14,16 @@ from solutions.vectors import quotient
 def ray_sphere(
     origin: Vector, direction: Vector, radius: FiniteNotNegative
 ) -> Array:
-    """First t ≥ 0 at which x + u t is inside or on a sphere around the origin.
+    """First time at which a ray is inside or on a sphere around the origin.
+
+    At the time t ≥ 0 the ray is at x + u t.
 
     Parameters
     ----------
     origin : (..., 3), x, where the ray starts, from the sphere's centre, m
     direction : (..., 3), u, of any length
-        It sets the unit of t: seconds if u is a velocity, a share of the way
-        if u is a whole way.
+        It sets the unit of t: seconds if u is a velocity, a share of the
+        motion if u is a whole motion.
     radius : (...), r, m; 0 for a point
 
     Returns
@@ -51,19 +53,21 @@ def ray_sphere(
           = (x² − r²)/(−x·u + √(r² u² − (x × u)²))
 
     The second line follows if the first is multiplied and divided by
-    −x·u + √(…). The function uses the second line, because it subtracts no two
-    nearly equal numbers.
+    −x·u + √(…). The function uses the second line, because both terms of its
+    denominator are positive. It computes x² − r² as (‖x‖ − r)(‖x‖ + r). So no
+    two nearly equal roots or squares are subtracted.
     """
     x, u = origin, direction
     distance = np.sqrt(np.vecdot(x, x))
     # From within, the size of the sphere does not matter.
     r = np.minimum(radius, distance)
     closing, across = -np.vecdot(x, u), np.cross(x, u)
-    discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
-    meets = (closing > 0) & (discriminant >= 0)
-    root = np.sqrt(np.where(meets, discriminant, 0.0))
-    below = np.where(meets, closing + root, 0.0)
-    time = quotient((distance - r) * (distance + r), below, np.inf)
+    quarter = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
+    meets = (closing > 0) & (quarter >= 0)
+    root = np.sqrt(np.where(meets, quarter, 0.0))
+    # For a miss the denominator is 0, and so the time is infinite.
+    denominator = np.where(meets, closing + root, 0.0)
+    time = quotient((distance - r) * (distance + r), denominator, np.inf)
     return np.where(distance <= radius, 0.0, time)
 
 
@@ -75,9 +79,10 @@ def ray_capsule(
     end: Vector,
     radius: FiniteNotNegative,
 ) -> Array:
-    """First t ≥ 0 at which x + u t is within r of a segment.
+    """First time at which a ray is within a radius of a segment.
 
-    The shape is a capsule: a cylinder with a half ball at either end.
+    This shape is a capsule: a cylinder with a half ball at either end. At the
+    time t ≥ 0 the ray is at x + u t.
 
     Parameters
     ----------
@@ -98,32 +103,42 @@ def ray_capsule(
     -----
     Seen along the segment, the cylinder is a circle. In this view the ray is
     one against a sphere, so the parts of x and u across the segment go to
-    `ray_sphere`. The time that it gives counts if the ray is then between the
-    two ends of the segment. The ends themselves are spheres. The result is the
-    first of these three times.
+    `ray_sphere`. With d for the segment, from start to end, and x measured
+    from its start, they are
+
+        x_across = x − (x·d/d²) d
+        u_across = u − (u·d/d²) d
+
+    The time that `ray_sphere` gives counts if the ray is then between the two
+    ends of the segment: at a share of d from 0 to 1, which is x·d/d² at first
+    and grows at the rate u·d/d². The ends themselves are spheres. The result
+    is the first of these three times.
     """
-    along = end - start
-    squared = np.vecdot(along, along)
-    from_start, from_end = origin - start, origin - end
-    place = quotient(np.vecdot(from_start, along), squared)
-    rate = quotient(np.vecdot(direction, along), squared)
-    x_across = from_start - place[..., None] * along
-    u_across = direction - rate[..., None] * along
-    side = ray_sphere(x_across, u_across, radius)
-    there = place + rate * np.where(np.isfinite(side), side, 0.0)
-    side = np.where((there >= 0) & (there <= 1), side, np.inf)
-    first_end = ray_sphere(from_start, direction, radius)
-    second_end = ray_sphere(from_end, direction, radius)
-    return np.minimum(side, np.minimum(first_end, second_end))
+    u, d = direction, end - start
+    x, x_from_end = origin - start, origin - end
+    length_squared = np.vecdot(d, d)
+    share = quotient(np.vecdot(x, d), length_squared)
+    share_rate = quotient(np.vecdot(u, d), length_squared)
+    x_across = x - share[..., None] * d
+    u_across = u - share_rate[..., None] * d
+    time_side = ray_sphere(x_across, u_across, radius)
+    finite_time = np.where(np.isfinite(time_side), time_side, 0.0)
+    share_there = share + share_rate * finite_time
+    between_ends = (share_there >= 0) & (share_there <= 1)
+    time_side = np.where(between_ends, time_side, np.inf)
+    time_start = ray_sphere(x, u, radius)
+    time_end = ray_sphere(x_from_end, u, radius)
+    return np.minimum(time_side, np.minimum(time_start, time_end))
 
 
 @domain
 def ray_box(
     origin: Vector, direction: Vector, half_extents: Extents
 ) -> tuple[Array, Array]:
-    """From when to when x + u t is in a box around the origin: the slab test.
+    """From when to when a ray is in a box around the origin: the slab test.
 
-    The edges of the box are along the axes.
+    The edges of the box are along the axes. At the time t ≥ 0 the ray is at
+    x + u t.
 
     Parameters
     ----------
@@ -153,17 +168,16 @@ def ray_box(
     return in_all(first, last)
 
 
-def time_between(
-    place: Array, rate: Array, half: Array
-) -> tuple[Array, Array]:
+def time_between(x: Array, u: Array, h: Array) -> tuple[Array, Array]:
     """The times, negative ones too, at which |x + u t| ≤ h begins and ends.
 
     They are infinity and −infinity where it never holds.
     """
-    middle = -place * np.sign(rate)
-    sign = np.where(np.abs(place) <= half, 1.0, -1.0)
-    first = quotient(middle - half, np.abs(rate), -sign * np.inf)
-    last = quotient(middle + half, np.abs(rate), sign * np.inf)
+    to_middle = -x * np.sign(u)
+    # A ray along the slab is in it from −infinity to infinity, or never.
+    without_end = np.where(np.abs(x) <= h, np.inf, -np.inf)
+    first = quotient(to_middle - h, np.abs(u), -without_end)
+    last = quotient(to_middle + h, np.abs(u), without_end)
     return first, last
 
 

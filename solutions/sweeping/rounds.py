@@ -1,7 +1,6 @@
 """The rounds of conservative advancement, for many pairs at once (slide 10).
 
-What moves, and how, is the matter of a `Look`: whole bodies or single
-features.
+A `Look` says what moves, and how: whole bodies or single features.
 """
 
 from __future__ import annotations

@@ -74,7 +74,7 @@ def sweep_sphere_plane(
     Parameters
     ----------
     position : (..., 3), centre, m
-    velocity : (..., 3), relative to the plane, m/s
+    velocity : (..., 3), u, relative to the plane, m/s
     radius : (...), r, m; 0 for a point
     normal : (..., 3), n, any length but zero
     offset : (...), d, m when n has unit length
@@ -102,6 +102,7 @@ def sweep_sphere_plane(
         t = (s − r)/(−u_n)
     """
     gap = signed_distance(position, normal, offset) - radius
+    # u_n = n·u/‖n‖ is the formula of a distance, without an offset.
     closing = -signed_distance(velocity, normal, 0.0)
     time = np.where(gap <= 0, 0.0, free_time(gap, closing))
     return within(time, dt)

@@ -90,7 +90,7 @@ def test_the_sources_that_are_mutated_pass_the_checks():
         ("collide", "in apply_impulse: term dropped: w_b - dw_b → w_b"),
         ("normal_velocity", "angular_velocity of body_b: that of angular_velocity of body_a"),
         ("normal_velocity", "in point_velocity: term dropped: velocity + np.cross(angular_velocity, arm) → velocity"),
-        ("audit", "in _gained: term dropped: own - np.cross(r, momentum) → own"),
+        ("audit", "in _gained: term dropped: spin_momentum - np.cross(r, momentum) → spin_momentum"),
         ("audit", "velocity_b of after: sign flipped"),
         ("apply_impulse", "size for it: w_b - dw_b → w_b - np.abs(dw_b)"),
         ("impulse_magnitude", "arm of body_b: size for it"),

@@ -186,16 +186,16 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "limit dropped: np.maximum(k, 0.0) → shaped(k, 0.0)",
         ),
     },
-    "moved": {
+    "velocity_changes": {
         SYMMETRIC: ("transposed: inverse_inertia @ np.cross(r, impulse)[..., None] → …",),
     },
-    "_gained": {SYMMETRIC: ("transposed: inertia @ (spin - w)[..., None] → …",)},
+    "_gained": {SYMMETRIC: ("transposed: inertia @ turn[..., None] → …",)},
     "_softness": {
         NOT_NEGATIVE: ("size for it: …",),
         LEVER: (
             "boundary: lever > NO_LEVER * np.linalg.norm(r, axis=-1) → …",
             "condition dropped: lever > NO_LEVER * np.linalg.norm(r, axis=-1) → always(…",
-            "branch dropped: np.where(turns, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
+            "branch dropped: np.where(has_lever, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
         ),
         "The bound of what counts as rounding may be another one.": (
             "largest component: np.linalg.norm(…",
@@ -243,7 +243,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "one for the other: b → a",
             "one for the other: a → b (2)",
             "one for the other: b → a (2)",
-            "branch dropped: np.where(flat… → shaped(both…",
+            "one for the other: start → end",
+            "one for the other: end → start",
+            "one for the other: start → end (2)",
+            "one for the other: end → start (2)",
+            "branch dropped: np.where(in_plane… → shaped(both…",
             "another function: np.minimum(first, last) → …",
             "limit dropped: …",
             "one for the other: first → …",
@@ -253,7 +257,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "one for the other: a → b (3)",
             "one for the other: a → b (4)",
         ),
-        NOT_NEGATIVE: ("size for it: np.where(flat…",),
+        NOT_NEGATIVE: ("size for it: np.where(in_plane…",),
     },
     "_side_by_side": {ONLY_THE_SHAPE: ("one for the other: start → end", "one for the other: end → start")},
     "_weights": {
@@ -262,7 +266,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: quotient(areas, …",
         ),
     },
-    "_share": {
+    "_crossing_share": {
         "A segment that goes through the plane does so at a share from 0 to 1.": (
             "size for it: np.clip(…",
             "limit dropped: np.clip(…",
@@ -280,7 +284,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "_ray_crosses": {
         ORDER: ("results swapped: ((b, c), (c, a)) → ((c, a), (b, c))",),
-        "The sign of a turn is its own inverse.": ("ratio for product: turn[same] * … → (other == turn[same]) / …",),
         NOT_NEGATIVE: ("size for it: crossed → np.abs(crossed)",),
     },
     "_before_face": {
@@ -301,9 +304,9 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "winding_number": {
         "Both ways of adding up give the same number.": (
-            "boundary: point.size * len(faces) > FEW → …",
-            "comparison turned round: point.size * len(faces) > FEW → …",
-            "condition dropped: point.size * len(faces) > FEW → …",
+            "boundary: point.size * len(faces) <= FEW → …",
+            "comparison turned round: point.size * len(faces) <= FEW → …",
+            "condition dropped: point.size * len(faces) <= FEW → …",
             "factor forgotten: point.size * len(faces) → …",
             "ratio for product: point.size * len(faces) → …",
             "size for it: winding_of_mesh(point, vertices, faces) → …",
@@ -351,15 +354,15 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "boundary: closing > 0 → closing >= 0",
         ),
         "The root is used only where the ray meets the sphere.": (
-            "branch dropped: np.where(meets, discriminant, 0.0) → shaped(discriminant, meets)",
+            "branch dropped: np.where(meets, quarter, 0.0) → shaped(quarter, meets)",
         ),
         NOT_NEGATIVE: ("size for it: …",),
     },
     "sweep_sphere_sphere": {
         NOT_NEGATIVE: ("size for it: …",),
         "The root of a negative number is NaN, and NaN is in no step.": (
-            "in ray_sphere: condition dropped: (closing > 0) & (discriminant >= 0) → closing > 0",
-            "in ray_sphere: condition dropped: discriminant >= 0 → always(discriminant >= 0)",
+            "in ray_sphere: condition dropped: (closing > 0) & (quarter >= 0) → closing > 0",
+            "in ray_sphere: condition dropped: quarter >= 0 → always(quarter >= 0)",
         ),
     },
     "within": {NOT_NEGATIVE: ("size for it: …",)},
@@ -371,30 +374,19 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: ("size for it: (np.where(meets, entry, np.inf), … → (np.abs(…",),
     },
     "time_between": {
-        "It is multiplied by infinity.": (
-            "twice the number: 1.0 → 2.0",
-            "half the number: 1.0 → 0.5",
-            "twice the number: 1.0 → 2.0 (2)",
-            "half the number: 1.0 → 0.5 (2)",
-        ),
-        "A sign is its own inverse.": ("ratio for product: -place * np.sign(rate) → -place / np.sign(rate)",),
+        "A sign is its own inverse.": ("ratio for product: -x * np.sign(u) → -x / np.sign(u)",),
         "A slab behind the start is left before the start, whenever it is entered.": (
-            "size for it: middle - half → np.abs(middle) - half",
+            "size for it: to_middle - h → np.abs(to_middle) - h",
         ),
-        NOT_NEGATIVE: ("size for it: middle … np.abs(half)",),
-        "Of an interval that is empty, one end is enough.": (
-            "factor forgotten: -sign * np.inf → -sign",
-            "ratio for product: -sign * np.inf → …",
-            "ratio for product: sign * np.inf → np.inf / sign",
-        ),
+        NOT_NEGATIVE: ("size for it: to_middle … np.abs(h)",),
     },
     "ray_capsule": {
         "Where the side is not met, the place is that of no time, and the ends decide.": (
-            "branch dropped: np.where(np.isfinite(side), side, 0.0) → shaped(side, np.isfinite(side))",
+            "branch dropped: np.where(np.isfinite(time_side), time_side, 0.0) → shaped(time_side…",
         ),
         "At the end of the side, the ball around this end is met at the same time.": (
-            "boundary: there >= 0 → there > 0",
-            "boundary: there <= 1 → there < 1",
+            "boundary: share_there >= 0 → share_there > 0",
+            "boundary: share_there <= 1 → share_there < 1",
         ),
         NOT_NEGATIVE: ("size for it: np.minimum(…",),
     },
@@ -480,7 +472,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: (np.inf, used) → …",
             "size for it: (np.nan, used) → …",
         ),
-        "Without any approach the quotient is infinite as well.": ("boundary: closing > 0 → closing >= 0",),
+        "Without any approach the quotient is infinite as well.": ("boundary: closing <= 0 → closing < 0",),
     },
     "universal_gravity": {
         "Only its square is used.": ("softening: sign flipped",),
