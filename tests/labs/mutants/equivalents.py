@@ -322,7 +322,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "tangent_point": {
         NOT_NEGATIVE: ("size for it: centre + radius[..., None] * … → centre + np.abs(radius[..., None] * …",),
     },
-    "_distance_and_way": {
+    "_distance_and_tangent": {
         NOT_NEGATIVE: ("size for it: …",),
     },
     "nearest_approach": {
