@@ -1,14 +1,32 @@
 """Avoiding a collision (slide 1): "force fields, steer to avoid, … flocking".
 
-steering     the force with which a body steers to or from a target
-fields       the force of a field around an obstacle
-obstacles    a way around a sphere, by its tangent point
-approach     when two moving spheres are nearest, and how near
-flock        the three rules of a flock, and its step
-neighbours   who is near whom, found without looking at all pairs
-cones        the half-plane of velocities with which a disc avoids another
-half_planes  the velocity nearest to a preferred one that half-planes permit
-orca         the step of a crowd of discs
+Steering
+- `seek`: the velocity wanted by a body that moves towards a target
+- `flee`: the velocity wanted by a body that moves away from it
+- `arrive`: the velocity wanted by a body that is to stop at it
+- `steering_force`: the force that changes a velocity into the wanted one
+- `limited`: vectors shortened to a largest length
+
+Fixed obstacles
+- `repelling_force`: the force of a field around an obstacle of any shape
+- `sphere_force`: the force of this field around a sphere
+- `tangent_point`: where a line from a position touches a sphere
+- `is_in_the_way`: whether a sphere is in the way to a goal
+- `steer_around`: the direction to a goal, or around a sphere before it
+- `side_of`: on which side to pass what lies straight ahead
+
+Others that move
+- `nearest_approach`: when two spheres are nearest, and how near
+- `neighbour_pairs`: who is near whom, found without looking at all pairs
+- `separation`: the push away from the neighbours of a flock
+- `towards_mean`: its alignment and its cohesion
+- `flock_step`: a step of the flock
+
+Crowds, beyond slide 1
+- `orca_half_plane`: the velocities with which a disc avoids another
+- `cap_of_cone`: the round end of the cone of those that collide
+- `permitted_velocity`: the nearest velocity that all half-planes permit
+- `crowd_step`: a step of a crowd of discs
 """
 
 from solutions.avoidance.approach import nearest_approach

@@ -42,11 +42,11 @@ def nearest_approach(
     relative velocity. After the time t the relative position is x + u t, and
     its square is
 
-        (x + u t)² = x² + 2 x·u t + u² t²
+        (x + u t)² = x² + 2 (x·u) t + u² t²
 
-    This is a parabola in t. Its derivative 2 x·u + 2 u² t vanishes at
+    This is a parabola in t. Its derivative 2 (x·u) + 2 u² t vanishes at
 
-        t = −x·u/u²
+        t = −(x·u)/u²
 
     and there the distance is smallest. If this time is negative, it has
     passed: the spheres move apart, and of all times from now on they are

@@ -53,6 +53,7 @@ def repelling_force(
     is drawn to a goal behind the obstacle, it stops where the two forces
     balance. And the forces of two obstacles cancel somewhere between them.
     """
+    # It is 1 inside, 1 − s/R within the reach, and 0 beyond.
     nearness = np.clip(1 - separation / reach, 0.0, 1.0)
     return (strength * nearness**2)[..., None] * normal
 
@@ -94,5 +95,6 @@ def sphere_force(
     """
     away = position - centre
     separation = np.linalg.norm(away, axis=-1) - radius
+    # Not by `repelling_force`: it refuses the zero direction at the centre.
     nearness = np.clip(1 - separation / reach, 0.0, 1.0)
     return (strength * nearness**2)[..., None] * direction(away)

@@ -32,8 +32,9 @@ def separation(position: Number, first: Indices, second: Indices) -> Array:
     Returns
     -------
     (n, d), 1/m
-        Zero without neighbours. Neighbours at the same place have no direction
-        from each other and do not count.
+        It is not a distance: `flock_step` multiplies it by a weight, which
+        makes it an acceleration. Zero without neighbours. Neighbours at the
+        same place have no direction from each other and do not count.
 
     Notes
     -----
@@ -45,8 +46,8 @@ def separation(position: Number, first: Indices, second: Indices) -> Array:
     flock the pushes therefore add up to zero.
     """
     apart = position[first] - position[second]
-    squared = np.sum(apart * apart, axis=-1, keepdims=True)
-    push = quotient(apart, squared)
+    distance_squared = np.sum(apart * apart, axis=-1, keepdims=True)
+    push = quotient(apart, distance_squared)
     return _sum_over_neighbours(len(position), first, second, push, -push)
 
 
@@ -68,10 +69,13 @@ def towards_mean(value: Number, first: Indices, second: Indices) -> Array:
 
     Notes
     -----
-    Each pair (i, j) adds x_j − x_i for i, and x_i − x_j for j. Divided by the
-    number of neighbours, the sum is the mean of their values minus the own
-    value. A sum of differences keeps its digits far from the origin, where a
-    mean of positions loses them.
+    With the values x and the sum over the neighbours j of i, it is
+
+        (Σ (x_j − x_i))/count
+
+    where count is the number of these neighbours. Each pair (i, j) adds
+    x_j − x_i for i, and x_i − x_j for j. A sum of differences keeps its digits
+    far from the origin, where a mean of positions loses them.
     """
     n = len(value)
     towards = value[second] - value[first]
@@ -105,7 +109,8 @@ def flock_step(
     weights : three numbers
         They are w_s of separation, in m²/s², w_a of alignment, in 1/s, and w_c
         of cohesion, in 1/s².
-    max_speed, max_acceleration : one number, m/s, m/s², not negative
+    max_speed : one number, v_max, m/s, not negative
+    max_acceleration : one number, a_max, m/s², not negative
 
     Returns
     -------
@@ -118,28 +123,29 @@ def flock_step(
 
     Notes
     -----
-    With the weights w_s, w_a, w_c and the limits a_max and v_max, the step is
+    The step is
 
-        a = w_s separation + w_a alignment + w_c cohesion, shortened to a_max
-        v' = v + a dt, shortened to v_max
+        a = w_s separation + w_a alignment + w_c cohesion
+        v' = v + a dt
         p' = p + v' dt
 
+    where a is shortened to a_max, and then v' to v_max, before they are used.
     Separation is in 1/m, alignment in m/s and cohesion in m. The units of the
     weights turn each of them into an acceleration.
     """
-    of_positions, shape = position.shape, velocity.shape
-    shapes = f"the shape {of_positions} of the positions, not {shape}"
-    require(shape == of_positions, f"velocity must have {shapes}")
+    shapes = f"{position.shape} of the positions, not {velocity.shape}"
+    words = f"velocity must have the shape {shapes}"
+    require(velocity.shape == position.shape, words)
     pairs = neighbour_pairs(position, radius)
+    push_apart = separation(position, *pairs)
+    alignment = towards_mean(velocity, *pairs)
+    cohesion = towards_mean(position, *pairs)
     w_s, w_a, w_c = weights
-    a = (
-        w_s * separation(position, *pairs)
-        + w_a * towards_mean(velocity, *pairs)
-        + w_c * towards_mean(position, *pairs)
-    )
-    v = velocity + limited(a, max_acceleration) * dt
-    v = limited(v, max_speed)
-    return position + v * dt, v
+    a = w_s * push_apart + w_a * alignment + w_c * cohesion
+    a = limited(a, max_acceleration)
+    v = limited(velocity + a * dt, max_speed)
+    p = position + v * dt
+    return p, v
 
 
 def _sum_over_neighbours(

@@ -142,8 +142,9 @@ def _stretch(
     place = least / np.where(parallel, 1.0, slope)
     own = bound[:, k]
     # The room is √(speed² − b²). Beyond the speed limit there is none.
-    squared = (speed - own) * (speed + own)
-    half = np.where(squared >= 0, np.sqrt(np.maximum(squared, 0.0)), -np.inf)
+    half_squared = (speed - own) * (speed + own)
+    root = np.sqrt(np.maximum(half_squared, 0.0))
+    half = np.where(half_squared >= 0, root, -np.inf)
     low = np.max(place, axis=-1, where=slope > PARALLEL, initial=-np.inf)
     high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
     # A parallel border counts only if it lies beyond this one by more than

@@ -1,6 +1,6 @@
 """All pairs of points within a radius, by a grid of cells (slide 1).
 
-Flocks and crowds find their neighbours with it.
+`flock_step` and `crowd_step` find their neighbours with them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A way around a fixed sphere, by its tangent point (slide 1)."""
+"""The direction around a fixed sphere, by its tangent point (slide 1)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from solutions.domain import Positive, Triple, Vector, domain
 from solutions.vectors import direction, quotient
 
 HEAD_ON = 1e-9
-"""Share of a wish below which its part across the way names no side.
+"""Share of a wish below which its part across `towards` names no side.
 
 Without this threshold rounding would choose the side.
 """
@@ -47,27 +47,28 @@ def tangent_point(
     -----
     Let L be the distance from the position to the centre. The tangent meets
     the radius at a right angle, so position, centre and tangent point form a
-    right triangle with the longest side L. By Pythagoras the way to the
+    right triangle with the longest side L. By Pythagoras the distance to the
     tangent point is
 
         k = √(L² − r²)
 
     Drop the perpendicular from the tangent point onto the line to the centre.
     It divides the triangle into two triangles of the same shape as the whole.
-    From them, the tangent point lies
+    From them, the tangent point lies t short of the centre and s to the side:
 
-        t = r²/L    short of the centre
-        s = √(r² − t²)    to the side
+        t = r²/L
+        s = r k/L
 
-    The function computes s as r k/L. That is the same number, but it keeps its
-    digits near the sphere, where r² and t² are nearly equal.
+    By Pythagoras s is √(r² − t²) as well. That is the same number, but it
+    loses its digits near the sphere, where r² and t² are nearly equal.
     """
     to_centre = centre - position
     towards = direction(to_centre)
-    distance, way = _distance_and_way(to_centre, radius)
-    longest = np.maximum(distance, radius)
-    short = radius * (radius / longest)
-    aside = radius * (way / longest)
+    distance, tangent_length = _distance_and_tangent(to_centre, radius)  # L, k
+    # Inside the sphere L is taken as r: the result is then on the surface.
+    hypotenuse = np.maximum(distance, radius)
+    short = radius * (radius / hypotenuse)  # t = r²/L
+    aside = radius * (tangent_length / hypotenuse)  # s = r k/L
     side = side_of(towards, heading)
     tangent = centre - short[..., None] * towards + aside[..., None] * side
     top = centre + radius[..., None] * np.array([0.0, 0.0, 1.0])
@@ -81,10 +82,10 @@ def is_in_the_way(
     centre: Vector,
     radius: Positive,
 ) -> Booleans:
-    """Whether the straight way to a goal enters a sphere (slide 1).
+    """Whether the straight path to a goal enters a sphere (slide 1).
 
-    The way ends at the goal, so a sphere behind the position or beyond the
-    goal is not in the way. Neither is a sphere that the way only touches.
+    The path ends at the goal, so a sphere behind the position or beyond the
+    goal is not in the way. Neither is a sphere that the path only touches.
 
     Parameters
     ----------
@@ -98,19 +99,21 @@ def is_in_the_way(
 
     Notes
     -----
-    The way consists of the points p + λ (g − p) with λ from 0 to 1, from the
+    The path consists of the points p + λ (g − p) with λ from 0 to 1, from the
     position p to the goal g. The point of the whole line nearest to the centre
     c has
 
-        λ = (c − p)·(g − p)/(g − p)²
+        λ = ((c − p)·(g − p))/(g − p)²
 
-    Limited to the range from 0 to 1, it gives the point of the way that is
+    Limited to the range from 0 to 1, it gives the point of the path that is
     nearest to the centre. The sphere is in the way if this point lies inside
     it.
     """
-    way = goal - position
-    share = quotient(np.vecdot(centre - position, way), np.vecdot(way, way))
-    nearest = position + np.clip(share, 0.0, 1.0)[..., None] * way
+    to_goal = goal - position
+    to_centre = centre - position
+    length_squared = np.vecdot(to_goal, to_goal)
+    share = quotient(np.vecdot(to_centre, to_goal), length_squared)  # λ
+    nearest = position + np.clip(share, 0.0, 1.0)[..., None] * to_goal
     return np.linalg.norm(nearest - centre, axis=-1) < radius
 
 
@@ -146,24 +149,30 @@ def steer_around(
     Notes
     -----
     Position, centre and tangent point form a right triangle with the sides L,
-    r and k = √(L² − r²), as in `tangent_point`. So the angle between the
-    tangent and the line to the centre has the sine r/L and the cosine k/L, and
-    the direction of the tangent is
+    r and k = √(L² − r²), as in `tangent_point`. So the angle θ between the
+    tangent and the line to the centre has
 
-        d = (k/L) towards the centre + (r/L) to the side
+        cos θ = k/L
+        sin θ = r/L
+
+    The direction of the tangent is cos θ times the unit vector to the centre,
+    plus sin θ times the unit vector to the side.
     """
-    to_goal, to_centre = goal - position, centre - position
+    to_goal = goal - position
+    to_centre = centre - position
     towards = direction(to_centre)
-    distance, way = _distance_and_way(to_centre, radius)
-    length = np.maximum(distance, radius)
-    ahead, aside = (way / length)[..., None], (radius / length)[..., None]
+    distance, tangent_length = _distance_and_tangent(to_centre, radius)  # L, k
+    hypotenuse = np.maximum(distance, radius)
+    cosine = (tangent_length / hypotenuse)[..., None]
+    sine = (radius / hypotenuse)[..., None]
     side = side_of(towards, velocity, to_goal)
-    tangent = ahead * towards + aside * side
-    off_centre = distance > 0
-    inside = (distance < radius) & off_centre
-    turns = is_in_the_way(position, goal, centre, radius) & off_centre
-    way_on = np.where(turns[..., None], tangent, direction(to_goal))
-    return np.where(inside[..., None], -towards, way_on)
+    tangent = cosine * towards + sine * side
+
+    at_centre = distance == 0
+    inside = (distance < radius) & ~at_centre
+    blocked = is_in_the_way(position, goal, centre, radius) & ~at_centre
+    onward = np.where(blocked[..., None], tangent, direction(to_goal))
+    return np.where(inside[..., None], -towards, onward)
 
 
 @domain
@@ -195,7 +204,9 @@ def side_of(towards: Triple, *wishes: ArrayLike) -> Array:
     return side
 
 
-def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
+def _distance_and_tangent(
+    to_centre: Array, radius: Array
+) -> tuple[Array, Array]:
     """L and k = √(L² − r²); k is 0 inside the sphere.
 
     The root is computed from a product, so that no two nearly equal squares

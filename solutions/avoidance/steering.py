@@ -62,7 +62,7 @@ def arrive(
     max_speed: NotNegative,
     slowing_radius: Positive,
 ) -> Array:
-    """Velocity wanted by a body that is to stop at a target.
+    """Velocity wanted by a body that is to stop at a target (slide 1).
 
     Outside the slowing radius the body moves towards the target at full speed.
     Inside, its speed is proportional to the distance that is left.
@@ -82,7 +82,9 @@ def arrive(
     -----
     The formula is
 
-        v_wanted = v_max min(1, distance/R) towards the target
+        v_wanted = (v_max/R)(target − position)
+
+    and outside the slowing radius it is shortened to v_max.
 
     Suppose that the body is steered with the response time τ, as in
     `steering_force`. At the distance x, inside the slowing radius, its

@@ -1,41 +1,54 @@
-"""Gravity, viscosity, springs and wind, and what makes motion of them.
+"""Forces, and the motion that they cause (slides 23 to 27, 29 and 30).
 
-The slides are 23, 25 to 27, 29 and 30.
+Gravity
+- `uniform_gravity`: the weight of a body (slide 25)
+- `universal_gravity`: the pull of one body on another (slide 25)
+- `surface_gravity`: the free fall at a distance from a body (slide 25)
+- `universal_gravity_energy`: the energy of two bodies that attract each other
+- `mutual_gravity`: the pull on every body of a group
 
-Gravity (slides 23 and 25)
-- `uniform_gravity`: the weight of a body.
-- `universal_gravity`: the pull of one body on another.
-- `surface_gravity`: the acceleration of free fall at a distance.
-- `universal_gravity_energy`: the energy of two bodies that attract each other.
-- `mutual_gravity`: the pull on every body of a group.
+Springs and dampers
+- `spring_force`: the force of a spring on its end 1 (slide 27)
+- `damper_force`: the force of a damper on its end 1 (slide 29)
+- `spring_damper_force`: the force of both, side by side (slide 29)
+- `spring_energy`: the energy that a spring stores
+- `spring_step_limit`: the longest stable steps of both Eulers
+- `natural_frequency`: how fast a mass on a spring swings
+- `damping_ratio`: how much of the critical damping there is
+- `damped_oscillator`: the exact motion with a damper
+- `friction_oscillator`: the exact motion with dry friction
+- `driven_oscillator`: the exact motion under a periodic force
 
-Springs and dampers (slides 24, 27 and 29)
-- `spring_force`, `damper_force`, `spring_damper_force`: on end 1 of a spring.
-- `spring_energy`: what is stored in it.
-- `natural_frequency`, `damping_ratio`: how a mass on a spring swings.
-- `spring_step_limit`: the longest stable steps of both Eulers.
-- `damped_oscillator`, `friction_oscillator`, `driven_oscillator`: the exact
-  motion of a mass on a spring.
+A fluid
+- `stokes_drag`: the drag of a slow, thick flow on a ball (slide 26)
+- `buoyancy`: the lift that the slide leaves out (slide 26)
+- `terminal_velocity`: how fast a sphere falls steadily (slide 26)
+- `relaxation_time`: how long a body takes to reach that velocity
+- `drag_motion`: the exact motion until then
+- `sphere_shape_factor`: the K of a sphere (slide 26)
+- `spheroid_shape_factors`: the K of longer and flatter bodies
+- `reynolds_number`: how far inertia outweighs viscosity
+- `check_stokes_regime`: a warning where Stokes' drag ends
+- `drag_correction`: the true drag over Stokes' drag
+- `terminal_velocity_corrected`: how fast a sphere falls by its true drag
 
-A fluid (slide 26)
-- `stokes_drag`: the drag of a slow, thick flow on a ball.
-- `buoyancy`: the lift that the slide forgets.
-- `terminal_velocity`: of a sphere that falls steadily.
-- `relaxation_time`, `drag_motion`: how a body comes to this velocity.
-- `sphere_shape_factor`, `spheroid_shape_factors`: drag and shape.
-- `reynolds_number`, `check_stokes_regime`: where Stokes' drag ends.
-- `drag_correction`, `terminal_velocity_corrected`: what holds beyond.
+Wind
+- `wind_force`: the force of a wind on a fast body (slide 30)
+- `sample_field`: the velocity of the wind at a position (slide 30)
 
-Wind (slide 30)
-- `wind_force`: of a wind on a body.
-- `sample_field`: the velocity of the wind at a position.
+All forces
+- `total_force`: the sum of all forces on each ball of a scene (slide 30)
+- `evaluate_forces`: forces of any kind on every body, by name (slide 30)
+- `acceleration_of`: the acceleration that they cause (slide 30)
+- `audit_energy`: the energy that each of them brings in
 
-All forces, and motion (slide 30)
-- `total_force`: the sum of all forces on each ball of a scene.
-- `explicit_euler`, `semi_implicit_euler`, `velocity_verlet`, `runge_kutta_4`,
-  `implicit_euler`: a step.
-- `ballistic_motion`: the exact motion under a constant acceleration.
-- `evaluate_forces`, `acceleration_of`, `audit_energy`: any forces, by name.
+Motion
+- `explicit_euler`: a step that takes all at its start
+- `semi_implicit_euler`: a step that moves with the new velocity
+- `velocity_verlet`: a step of second order
+- `runge_kutta_4`: a step of fourth order
+- `implicit_euler`: a step that takes all at its end
+- `ballistic_motion`: the exact motion under a constant acceleration
 
 An argument without physical meaning is refused, such as a negative mass or a
 viscosity that is not a number. The `ValueError` names the argument and its

@@ -1,7 +1,6 @@
-"""Forces of any kind on all bodies, by name (slides 23 and 30).
+"""Forces of any kind, by name, and the energy they bring in (slide 30).
 
-An audit of the energy says how much of it each force brings in. The sum of the
-lab's own forces is in `total`.
+The sum of the lab's own forces is in `total`.
 """
 
 from __future__ import annotations
@@ -18,10 +17,12 @@ from solutions.checks import of_shape, real
 from solutions.domain import Number, Positive, domain, require
 
 Tag = Literal["position", "velocity", "interaction"]
-"""What a force depends on, as slide 30 sorts the forces.
+"""What a force depends on.
 
 Springs and gravity depend on the position. Viscosity, wind and dampers depend
 on the velocity. Friction and contacts depend on the interaction of bodies.
+Slide 30 sorts the forces so, except that it counts wind under position (see
+`wind_force`).
 """
 
 
@@ -63,7 +64,7 @@ def evaluate_forces(
 
     Parameters
     ----------
-    forces : each with a name of its own
+    forces : a sequence of `Force`, each with a name of its own
     position, velocity : (..., N, 3), m, m/s
 
     Returns
@@ -95,7 +96,7 @@ def acceleration_of(
 
     Parameters
     ----------
-    forces : each with a name of its own
+    forces : a sequence of `Force`, each with a name of its own
     mass : (N,), kg, above zero; an infinite mass is not accelerated
 
     Returns
@@ -172,7 +173,7 @@ def audit_energy(
 
     Parameters
     ----------
-    forces : each with a name of its own
+    forces : a sequence of `Force`, each with a name of its own
     mass : (N,), kg, above zero
     position, velocity : (T, N, 3), m, m/s, at equal or unequal intervals
     dt : (T − 1,) or one number, s, between the states

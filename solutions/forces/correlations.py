@@ -48,7 +48,7 @@ def drag_correction(reynolds: Known) -> Array:
     24/Re. The fit gives C_D in pieces, which meet to 1 %. Below Re = 0.01 the
     function takes Oseen's
 
-        1 + 3/16 Re
+        1 + (3/16) Re
     """
     re = np.maximum(reynolds, 0.01)
     w = np.log10(re)

@@ -135,20 +135,18 @@ def drag_motion(
 
     The solution of this equation, and its integral over time, are
 
-        v = v_t + (v0 − v_t) e^(−t/τ)
-        p = p0 + v_t t + (v0 − v_t) τ (1 − e^(−t/τ))
+        x = t/τ
+        v = v0 + (v_t − v0)(1 − e^(−x))
+        p = p0 + v0 τ (1 − e^(−x)) + v_t τ (x − 1 + e^(−x))
 
-    From rest this is a fall with the velocity v_t (1 − e^(−t/τ)). Where there
-    is next to no drag, v_t is as long as τ, and the two terms with v_t are
-    nearly opposite. Together they are
-
-        v_t τ (x − 1 + e^(−x)),    x = t/τ
-
-    which is summed as a power series where x is small.
+    From rest this is a fall with the velocity v_t (1 − e^(−x)). Where there is
+    next to no drag, v_t and τ are both very large, and x is very small. The
+    last bracket is then a tiny difference of numbers near 1, so the function
+    sums it as a power series where x is small.
     """
     tau = relaxation[..., None]
     x = dt[..., None] / tau
-    lost = -np.expm1(-x)
+    lost = -np.expm1(-x)  # 1 − e^(−x)
     behind = terminal * tau * _falling_behind(x)
     p = position + velocity * tau * lost + behind
     v = velocity + (terminal - velocity) * lost
@@ -174,7 +172,7 @@ def terminal_velocity_corrected(
     density : (...), ρ_s, of the sphere, kg/m³, not negative
     fluid_density : (...), ρ_f, kg/m³, not negative
     viscosity : (...), η, Pa s, above zero
-    gravity : (..., 3), m/s²
+    gravity : (..., 3), g, m/s²
     correction : function φ of the Reynolds number (...), without a unit
         It returns the true drag over Stokes' drag, more than half of it.
 

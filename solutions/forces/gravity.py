@@ -76,21 +76,24 @@ def universal_gravity(
     Notes
     -----
     The slide gives the size of the force, G m1 m2/r². The force on body 1
-    points to body 2, which is the direction of d = x2 − x1, and d/‖d‖³ has
-    both this direction and the size 1/r². With a softening length ε the size
-    is the slope of the energy, which is that of `universal_gravity_energy`:
+    points to body 2, which is the direction of
 
-        F = G m1 m2 d/(‖d‖² + ε²)^(3/2),    d = x2 − x1
+        d = x2 − x1
+        r = √(‖d‖² + ε²)
+        F = (G m1 m2/r²) d/r
 
-    The function divides by r = √(‖d‖² + ε²) three times, and by r³ never,
-    because the cube of an astronomical distance times the masses may be too
-    large for a float.
+    Without softening r is the distance, d/r is the unit vector to body 2, and
+    the size is the slide's. With a softening length ε the size is the slope of
+    `universal_gravity_energy`.
+
+    The function divides by r three times and never by r³, because the cube of
+    an astronomical distance may be too large for a float.
     """
     d = position_2 - position_1
     r = np.hypot(np.linalg.norm(d, axis=-1), softening)
     r = np.where(r == 0, np.inf, r)  # no pull, however large the masses are
-    size = GRAVITATIONAL_CONSTANT * ((mass_1 / r) * (mass_2 / r))
-    return size[..., None] * (d / r[..., None])
+    pull = GRAVITATIONAL_CONSTANT * ((mass_1 / r) * (mass_2 / r))  # G m1 m2/r²
+    return pull[..., None] * (d / r[..., None])
 
 
 @domain
@@ -147,11 +150,13 @@ def universal_gravity_energy(
     -----
     The energy is
 
-        E = −G m1 m2/√(‖d‖² + ε²),    d = x2 − x1
+        d = x2 − x1
+        r = √(‖d‖² + ε²)
+        E = −G m1 m2/r
 
     Its slope along ‖d‖ is
 
-        dE/d‖d‖ = G m1 m2 ‖d‖/(‖d‖² + ε²)^(3/2)
+        dE/d‖d‖ = G m1 m2 ‖d‖/r³
 
     This is the size of the force of `universal_gravity`, which points to where
     the energy is lower.

@@ -45,8 +45,9 @@ def ballistic_motion(
         v' = v + a dt
     """
     dt = dt[..., None]
-    after = position + velocity * dt + acceleration * dt * dt / 2
-    return after, velocity + acceleration * dt
+    p = position + velocity * dt + acceleration * dt * dt / 2
+    v = velocity + acceleration * dt
+    return p, v
 
 
 @domain
@@ -76,8 +77,8 @@ def explicit_euler(
         p' = p + v dt
         v' = v + a dt
 
-    Like the integrators that need it at other places as well, this one also
-    takes the acceleration as a function of position and velocity.
+    The acceleration may also be a function of position and velocity, as the
+    other integrators need it. It is then taken at the start of the step.
 
     An undamped spring gains energy in every step, however short. Put the step
     into the energy, with a = −ω² p. The mixed terms cancel:
@@ -86,7 +87,9 @@ def explicit_euler(
     """
     a = acceleration(position, velocity)
     dt = dt[..., None]
-    return position + velocity * dt, velocity + a * dt
+    p = position + velocity * dt
+    v = velocity + a * dt
+    return p, v
 
 
 @domain
@@ -127,8 +130,9 @@ def semi_implicit_euler(
     """
     a = acceleration(position, velocity)
     dt = dt[..., None]
-    after = velocity + a * dt
-    return position + after * dt, after
+    v = velocity + a * dt
+    p = position + v * dt
+    return p, v
 
 
 @domain
@@ -166,9 +170,10 @@ def velocity_verlet(
     """
     a = acceleration(position, velocity)
     dt = dt[..., None]
-    after = position + velocity * dt + a * dt * dt / 2
-    a_after = acceleration(after, velocity + a * dt)
-    return after, velocity + (a + a_after) * dt / 2
+    p = position + velocity * dt + a * dt * dt / 2
+    a_after = acceleration(p, velocity + a * dt)
+    v = velocity + (a + a_after) * dt / 2
+    return p, v
 
 
 @domain
@@ -198,9 +203,12 @@ def runge_kutta_4(
     the stage before:
 
         a1 = a(p, v)
-        v2 = v + a1 dt/2,    a2 = a(p + v dt/2, v2)
-        v3 = v + a2 dt/2,    a3 = a(p + v2 dt/2, v3)
-        v4 = v + a3 dt,      a4 = a(p + v3 dt, v4)
+        v2 = v + a1 dt/2
+        a2 = a(p + v dt/2, v2)
+        v3 = v + a2 dt/2
+        a3 = a(p + v2 dt/2, v3)
+        v4 = v + a3 dt
+        a4 = a(p + v3 dt, v4)
 
     The step uses the weighted means of the four velocities and of the four
     accelerations:

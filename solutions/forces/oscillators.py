@@ -1,6 +1,7 @@
 """Oscillators in closed form, with a damper or dry friction.
 
-They are on slides 24, 27 and 29.
+They are the exact motions of what is on slides 24, 27 and 29. The slides do
+not solve them.
 """
 
 from __future__ import annotations
@@ -120,15 +121,18 @@ def damped_oscillator(
     into each other smoothly.
     """
     beta = damping / (2 * mass)
-    squared = stiffness / mass
-    cosine, sine = free_response(beta, squared, t)
+    omega_squared = stiffness / mass
+    cosine, sine = free_response(beta, omega_squared, t)
     x = displacement * cosine + (velocity + beta * displacement) * sine
-    v = velocity * cosine - (squared * displacement + beta * velocity) * sine
+    v = (
+        velocity * cosine
+        - (omega_squared * displacement + beta * velocity) * sine
+    )
     return x, v
 
 
 def free_response(
-    beta: Array, squared: Array, time: Array
+    beta: Array, omega_squared: Array, time: Array
 ) -> tuple[Array, Array]:
     """C and S of `damped_oscillator`, from β, ω² and the time.
 
@@ -136,14 +140,14 @@ def free_response(
     rates of an overdamped motion, β − s is ω²/(β + s), and the faster part is
     e^(−2st) times the slower one.
     """
-    difference = beta**2 - squared
+    difference = beta**2 - omega_squared
     s = np.sqrt(np.abs(difference))
 
     decay = np.exp(-beta * time)
     under_cosine = decay * np.cos(s * time)
     under_sine = decay * time * np.sinc(s * time / np.pi)
 
-    slow_decay = np.exp(-quotient(squared, beta + s) * time)
+    slow_decay = np.exp(-quotient(omega_squared, beta + s) * time)
     less_than_slow = np.expm1(-2 * s * time)  # e^(−2st) − 1
     over_cosine = slow_decay * (1 + less_than_slow / 2)
     over_sine = slow_decay * quotient(-less_than_slow, 2 * s, time)
@@ -185,7 +189,7 @@ def friction_oscillator(
 
     Notes
     -----
-    While the mass moves one way, friction is a constant force. It shifts the
+    Between two turning points friction is a constant force. It shifts the
     point of balance by f = F/k, to −f while the mass moves up, and to +f while
     it moves down. So every half swing is half a cosine about the shifted
     point, and it takes π/ω with ω = √(k/m).
@@ -201,12 +205,12 @@ def friction_oscillator(
     """
     omega = natural_frequency(stiffness, mass)
     f = friction / stiffness
-    way = np.sign(velocity)
+    sign = np.sign(velocity)
 
-    # How far the mass is ahead of the point of balance, the way it moves.
-    ahead = way * displacement + f
+    # How far the mass has moved beyond the point of balance.
+    ahead = sign * displacement + f
     amplitude = np.hypot(ahead, velocity / omega)
-    turn = np.where(velocity == 0, displacement, -way * (amplitude + f))
+    turn = np.where(velocity == 0, displacement, -sign * (amplitude + f))
     since_turn = np.arctan2(np.abs(velocity) / omega, -ahead)
     phase = t * omega + np.where(velocity == 0, 0.0, since_turn)
 

@@ -1,4 +1,4 @@
-"""An oscillator that a force drives, in closed form (slides 27 and 29)."""
+"""An oscillator that a force drives, in closed form (for slides 27 and 29)."""
 
 from __future__ import annotations
 
@@ -78,31 +78,33 @@ def driven_oscillator(
         D′ = iΩ D + S
     """
     beta = damping / (2 * mass)
-    squared = stiffness / mass
-    omega = angular_frequency
-    cosine, sine = free_response(beta, squared, t)
-    driven = _driven_from_rest(beta, squared, omega, t, cosine, sine)
+    omega_squared = stiffness / mass
+    cosine, sine = free_response(beta, omega_squared, t)
+    driven = _driven_from_rest(
+        beta, omega_squared, angular_frequency, t, cosine, sine
+    )
     drive = force / mass * np.exp(1j * phase)
     x, v = damped_oscillator(
         displacement, velocity, stiffness, damping, mass, t
     )
     x = x + (drive * driven).real
-    v = v + (drive * (1j * omega * driven + sine)).real
+    v = v + (drive * (1j * angular_frequency * driven + sine)).real
     return x, v
 
 
 def _driven_from_rest(
     beta: Array,
-    squared: Array,
-    omega: Array,
+    omega_squared: Array,
+    driving: Array,
     time: Array,
     cosine: Array,
     sine: Array,
 ) -> Complex:
-    """D of `driven_oscillator`, in the form that suits the numbers.
+    """D of `driven_oscillator`, from β, ω², Ω, the time, C and S.
 
-    It is a divided difference of e^(zt) at z = λ₁, λ₂ and iΩ. Far from
-    resonance it is the form given there. Near it, where λ₁ is next to iΩ,
+    It is a divided difference of e^(zt) at z = λ₁, λ₂ and iΩ, computed in the
+    form that suits the numbers. Far from resonance it is the form given there.
+    Near it, where λ₁ is next to iΩ,
 
         D = (d(λ₁) − d(λ₂))/(λ₁ − λ₂)
         d(λ) = (e^(λt) − e^(iΩt))/(λ − iΩ)
@@ -110,25 +112,25 @@ def _driven_from_rest(
     Where all three are small, D is t² Σ h_k/(k + 2)!, with the sums h_k of all
     products of k of the three z t.
     """
-    spin = np.exp(1j * omega * time)
-    resistance = squared - omega**2 + 2j * beta * omega
-    far = quotient(spin - cosine - (beta + 1j * omega) * sine, resistance)
+    spin = np.exp(1j * driving * time)
+    resistance = omega_squared - driving**2 + 2j * beta * driving
+    far = quotient(spin - cosine - (beta + 1j * driving) * sine, resistance)
 
-    fast = -(beta + np.sqrt(beta**2 - squared + 0j))
-    slow = np.where(fast.imag == 0, quotient(squared, fast), fast.conj())
+    fast = -(beta + np.sqrt(beta**2 - omega_squared + 0j))
+    slow = np.where(fast.imag == 0, quotient(omega_squared, fast), fast.conj())
     from_slow, from_fast = (
         spin * quotient(np.expm1(apart * time), apart, time)
-        for apart in (slow - 1j * omega, fast - 1j * omega)
+        for apart in (slow - 1j * driving, fast - 1j * driving)
     )
     near = quotient(from_slow - from_fast, slow - fast)
 
-    little = np.maximum(np.abs(fast), omega) * time <= LITTLE
+    little = np.maximum(np.abs(fast), driving) * time <= LITTLE
     b = np.where(little, beta * time, 0.0)
-    w = np.where(little, np.sqrt(squared) * time, 0.0)
-    o = np.where(little, omega * time, 0.0)
+    w = np.where(little, np.sqrt(omega_squared) * time, 0.0)
+    o = np.where(little, driving * time, 0.0)
     sums = _sums_of_products(-2 * b + 1j * o, w**2 - 2j * b * o, 1j * o * w**2)
 
-    resonant = np.abs(slow - 1j * omega) * time < 1
+    resonant = np.abs(slow - 1j * driving) * time < 1
     return np.where(little, time**2 * sums, np.where(resonant, near, far))
 
 

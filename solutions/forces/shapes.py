@@ -61,7 +61,7 @@ def spheroid_shape_factors(
     Returns
     -------
     (..., 2), K_∥ and K_⊥, m
-        A sphere has 6πr twice. A disc, a = 0, has 16 b and 32/3 b.
+        A sphere has 6πr twice. A disc, a = 0, has 16 b and (32/3) b.
 
     Notes
     -----

@@ -40,14 +40,18 @@ def spring_force(
     spring pushes it away. The force is proportional to how much the length L
     differs from the rest length:
 
-        F = −k (L − L0) u,    u = (x1 − x2)/L,    L = ‖x1 − x2‖
+        L = ‖x1 − x2‖
+        u = (x1 − x2)/L
+        F = −k (L − L0) u
 
     The slide's k (x − x_rest) is the force that stretches the spring. Taken as
     the force on the mass, it pushes the mass away from rest.
     """
     d = position_1 - position_2
-    stretch = np.linalg.norm(d, axis=-1) - rest_length
-    return -(stiffness * stretch)[..., None] * direction(d)
+    u = direction(d)
+    length = np.linalg.norm(d, axis=-1)
+    stretch = length - rest_length
+    return -(stiffness * stretch)[..., None] * u
 
 
 @domain
@@ -79,14 +83,15 @@ def damper_force(
     The length L grows at the rate (v1 − v2)·u, which is the part of the
     relative velocity along the damper. The damper opposes this:
 
-        F = −k_d ((v1 − v2)·u) u,    u = (x1 − x2)/L
+        u = (x1 − x2)/L
+        F = −k_d ((v1 − v2)·u) u
 
     The slide's −k_d v brakes all motion, also that of a spring that flies
     freely. The force here leaves momentum, angular momentum and any rigid
     motion alone.
     """
     u = direction(position_1 - position_2)
-    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)
+    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)  # (v1 − v2)·u
     return -(damping * lengthening)[..., None] * u
 
 
@@ -119,9 +124,10 @@ def spring_damper_force(
 
     Notes
     -----
-    The two forces act on the same end, so they add. With L = ‖x1 − x2‖ and
-    u = (x1 − x2)/L,
+    The two forces act on the same end, so they add:
 
+        L = ‖x1 − x2‖
+        u = (x1 − x2)/L
         F = −k (L − L0) u − k_d ((v1 − v2)·u) u
 
     The slide writes (x' − x_rest) k − v k_d with the current position x'. Its
@@ -129,8 +135,9 @@ def spring_damper_force(
     """
     d = position_1 - position_2
     u = direction(d)
-    stretch = np.linalg.norm(d, axis=-1) - rest_length
-    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)
+    length = np.linalg.norm(d, axis=-1)
+    stretch = length - rest_length
+    lengthening = np.sum((velocity_1 - velocity_2) * u, axis=-1)  # (v1 − v2)·u
     spring = -(stiffness * stretch)[..., None] * u
     damper = -(damping * lengthening)[..., None] * u
     return spring + damper
@@ -159,9 +166,9 @@ def spring_energy(
     Notes
     -----
     The energy is the work that it takes to change the length from L0 to L. At
-    each length on the way the force is k times the change so far. Its mean
-    over the way is half of its last value k (L − L0), which times the way
-    L − L0 gives
+    each length in between the force is k times the change so far. Its mean is
+    half of its last value k (L − L0), and this times the whole change L − L0
+    is
 
         E = k (L − L0)²/2
     """

@@ -33,32 +33,39 @@ def spring_step_limit(
 
     Notes
     -----
-    A step makes new numbers of the position and the velocity by a matrix. Its
+    A step turns the position and the velocity into new ones by a matrix. Its
     trace T and its determinant D decide: the motion stays bounded as long as
-    |T| ≤ 1 + D and D ≤ 1. With K = k dt²/m and C = c dt/m, both Eulers have
-    the trace 2 − C or less:
+    |T| ≤ 1 + D and D ≤ 1. With
 
-        explicit         T = 2 − C        D = 1 − C + K
-        semi-implicit    T = 2 − C − K    D = 1 − C
+        κ = k dt²/m
+        γ = c dt/m
 
-    For semi-implicit Euler the condition −T ≤ 1 + D is K + 2 C ≤ 4. This is a
-    quadratic in dt, with the root
+    the two Eulers have
+
+        explicit         T = 2 − γ        D = 1 − γ + κ
+        semi-implicit    T = 2 − γ − κ    D = 1 − γ
+
+    Both have 1 + D − T = κ, so T ≤ 1 + D always holds, and −T ≤ 1 + D is left.
+    For semi-implicit Euler this is κ + 2 γ ≤ 4, a quadratic in dt with the
+    root
 
         dt = 4 m/(c + √(c² + 4 k m))
 
-    For explicit Euler there are two conditions. The first, D ≤ 1, is
-    dt ≤ c/k. The second, −T ≤ 1 + D, is 2 C − K ≤ 4. It decides where
-    c² > 4 k m, when the motion does not swing:
+    It always has D ≤ 1. For explicit Euler both conditions count. The first,
+    D ≤ 1, is dt ≤ c/k. The second, −T ≤ 1 + D, is 2 γ − κ ≤ 4. It decides
+    where c² > 4 k m, when the motion does not swing:
 
         dt = c/k                        underdamped
         dt = 4 m/(c + √(c² − 4 k m))    overdamped
     """
-    squared = damping * damping
-    critical = 4 * stiffness * mass
-    overdamped = squared > critical
-    root = np.sqrt(np.where(overdamped, squared - critical, 0.0))
+    damping_squared = damping * damping
+    critical_squared = 4 * stiffness * mass
+    overdamped = damping_squared > critical_squared
+    beyond = np.where(overdamped, damping_squared - critical_squared, 0.0)
+    root = np.sqrt(beyond)
     explicit = np.where(
         overdamped, quotient(4 * mass, damping + root), damping / stiffness
     )
-    semi_implicit = 4 * mass / (damping + np.sqrt(squared + critical))
+    semi_implicit_root = np.sqrt(damping_squared + critical_squared)
+    semi_implicit = 4 * mass / (damping + semi_implicit_root)
     return explicit, semi_implicit

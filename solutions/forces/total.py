@@ -34,12 +34,12 @@ def total_force(
 
     Parameters
     ----------
-    position, velocity : (N, 3), m, m/s
+    position, velocity : (N, 3), p and v, m, m/s
     mass : (N,), m, kg, not negative and finite
     radius : (N,), r, m, not negative
     gravity : (3,), g, m/s²
     viscosity : one number, η, of the fluid, Pa s, not negative
-    fluid_velocity : (N, 3), of the fluid at each ball, or (3,) everywhere, m/s
+    fluid_velocity : (N, 3), u, at each ball, or (3,) everywhere, m/s
     ends : (S, 2), whole numbers, the two balls that each spring joins, from 0
         A ball may be at the end of any number of springs, or of none.
     stiffness : (S,), k, of each spring, N/m, not negative
@@ -49,20 +49,24 @@ def total_force(
     Returns
     -------
     (N, 3), on each ball, N
-        The fluid has no buoyancy here.
+        Neither `buoyancy` nor `wind_force` is part of it.
 
     Raises
     ------
     ValueError
-        If ends names a ball that there is not.
+        If ends names a ball that does not exist.
 
     Notes
     -----
-    Forces add. Each ball has its weight and the drag of the fluid. A spring
-    pulls its first end with the force F of `spring_damper_force`, and its
-    second end with −F, by Newton's third law. So springs and dampers add
-    nothing to the total momentum of a scene, and the sum over all balls is
-    that of the weights and the drags alone.
+    Forces add. Each ball has its weight and the drag of the fluid:
+
+        F = m g − 6πr η (v − u)
+
+    where u is the velocity of the fluid. To this a spring adds the force of
+    `spring_damper_force` on its first end, and the opposite force on its
+    second end, by Newton's third law. So springs and dampers add nothing to
+    the total momentum of a scene, and the sum over all balls is that of the
+    weights and the drags alone.
 
     The springs are taken one after the other. `mesh_forces` of the lab on
     meshes takes them all at once, for which adding needs care.

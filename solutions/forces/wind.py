@@ -1,7 +1,4 @@
-"""Wind: a velocity field that acts through the relative velocity (slide 30).
-
-The field is sampled at the position of the body.
-"""
+"""Wind: sampled at the position, felt by the relative velocity (slide 30)."""
 
 from __future__ import annotations
 
@@ -54,8 +51,8 @@ def wind_force(
     """
     relative = velocity - wind
     speed = np.linalg.norm(relative, axis=-1)
-    size = density * drag_coefficient * area * speed / 2
-    return -size[..., None] * relative
+    per_velocity = density * drag_coefficient * area * speed / 2
+    return -per_velocity[..., None] * relative
 
 
 _CORNERS = np.array(list(np.ndindex(2, 2, 2)))

@@ -38,7 +38,7 @@ def mesh_sphere_contact(
     mesh : SpringMesh of n nodes
     position, velocity : (n, 3), m, m/s
     centre : (3,), m
-    radius : one number, m, positive
+    radius : one number, r, m, positive
     restitution : one number, e, from 0 to 1
     friction : one number, μ, without a unit, not negative
 
@@ -72,8 +72,10 @@ def mesh_sphere_contact(
         r − √(r² − L²/4) ≈ L²/(8 r)
 
     where the approximation holds for an edge that is short compared with the
-    radius. Leading axes of position and velocity make a batch, (..., n, 3),
-    with a centre (..., 1, 3) and a radius (..., 1) for each.
+    radius.
+
+    The function also takes a batch of states: position and velocity
+    (..., n, 3), with a centre (..., 1, 3) and a radius (..., 1) for each.
     """
     require_fit(mesh, position=position, velocity=velocity)
     away = position - centre
@@ -82,8 +84,8 @@ def mesh_sphere_contact(
     separation = distance - radius
 
     bounced = kinematic_response(velocity, normal, restitution)
-    gained = np.linalg.norm(bounced - velocity, axis=-1)
-    slowed = _slowed(bounced, normal, friction * gained)
+    normal_impulse = np.linalg.norm(bounced - velocity, axis=-1)  # per mass
+    slowed = _slowed(bounced, normal, friction * normal_impulse)
     on_surface = position - separation[..., None] * normal
 
     hit = (is_colliding(separation) & ~mesh.pinned)[..., None]
@@ -97,8 +99,8 @@ def _slowed(velocity: Array, normal: Array, most: Array) -> Array:
 
     The sliding is never reversed.
     """
-    into = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
-    sliding = velocity - into
+    normal_part = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
+    sliding = velocity - normal_part
     speed = np.linalg.norm(sliding, axis=-1)
     kept = 1 - np.minimum(1.0, quotient(most, speed))
-    return into + kept[..., None] * sliding
+    return normal_part + kept[..., None] * sliding

@@ -76,6 +76,7 @@ def cloth(
     """
     node = np.arange(rows * columns).reshape(rows, columns)
     row, column = np.divmod(node.ravel(), columns)
+    # x counts columns, and y counts rows.
     place = np.stack([column, row, np.zeros(node.size)], axis=-1)
     return spacing * place, _grid_edges(node, CLOTH_SPRINGS, kinds)
 

@@ -30,7 +30,7 @@ def edge_stiffness(
     ----------
     mesh : SpringMesh of n nodes and m springs
     position : (..., n, 3), m
-    clamped : whether K has no negative eigenvalue
+    clamped : True or False, whether K has no negative eigenvalue
         A shortened spring has a negative stiffness across its edge, as it
         buckles. If clamped is true, zero is used in its place.
 
@@ -56,7 +56,8 @@ def edge_stiffness(
 
     and comparing this with −K d gives
 
-        K = k (u uᵀ + g (I − u uᵀ)),    g = 1 − L0/L
+        g = 1 − L0/L
+        K = k (u uᵀ + g (I − u uᵀ))
 
     Along the edge the stiffness is k. Across the edge it is k g, because the
     tension turns with the edge: a taut spring resists. In a shortened spring g
@@ -68,9 +69,10 @@ def edge_stiffness(
     g = 1 - quotient(mesh.rest_length, length, at_zero_length)
     if clamped:
         g = np.maximum(g, 0.0)
+    # u uᵀ + g (I − u uᵀ) = (1 − g) u uᵀ + g I
     along = (1 - g)[..., None, None] * (u[..., :, None] * u[..., None, :])
-    across = g[..., None, None] * np.eye(3)
-    return mesh.stiffness[:, None, None] * (along + across)
+    all_round = g[..., None, None] * np.eye(3)
+    return mesh.stiffness[:, None, None] * (along + all_round)
 
 
 @domain

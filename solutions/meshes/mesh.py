@@ -1,7 +1,4 @@
-"""Parts of a mesh: nodes with a mass, edges as springs (slide 28).
-
-Every edge has a spring, and a damper beside it.
-"""
+"""A mesh: nodes with masses, and springs with dampers as edges (slide 28)."""
 
 from __future__ import annotations
 
@@ -127,7 +124,7 @@ def spring_mesh(
     stiffness : (m,) or one for all, N/m, not negative and finite
     damping : (m,) or one for all, N s/m, not negative and finite
     mass : (n,) or one for all, kg, of each node, positive
-    pinned : numbers of the nodes that do not move
+    pinned : a sequence of whole numbers, the nodes that do not move
 
     Returns
     -------
@@ -161,7 +158,7 @@ def pin(mesh: Mesh, nodes: Sequence[int]) -> SpringMesh:
     Parameters
     ----------
     mesh : SpringMesh of n nodes
-    nodes : numbers of the nodes, from 0 to n − 1
+    nodes : a sequence of whole numbers, from 0 to n − 1
 
     Returns
     -------

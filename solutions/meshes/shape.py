@@ -65,8 +65,9 @@ def limit_strain(
     A pinned end has w = 0 and does not move. Each correction may make another
     spring too long, and it does so for its neighbours only. So a correction
     crawls across the mesh, and the number of rounds grows with the distance
-    across and with the ratio of the masses. Leading axes of the position make
-    a batch, (..., n, 3).
+    across and with the ratio of the masses.
+
+    The function also takes a batch of positions, (..., n, 3).
     """
     require_fit(mesh, position=position)
     p = position.copy()
@@ -117,7 +118,8 @@ def static_shape(
     ----------
     mesh : SpringMesh of n nodes
     position : (..., n, 3), m, finite, the first guess
-    acceleration : broadcast to (..., n, 3), m/s², of gravity, for example
+    acceleration : (3,) for all nodes alike, or (..., n, 3), m/s²
+        It is that of gravity, for example.
     tolerance : one number, the net force that may be left at a free node
         It is relative to the largest weight, or to the largest net force at
         the start if no node has a weight.
@@ -149,9 +151,10 @@ def static_shape(
     Only the final shape matters, so the inertia of the nodes and the timestep
     may be chosen freely. Each node gets the inertia Σ k, the sum of the
     stiffnesses of its springs, and each step has length 1. With these values
-    `timestep_bound` allows
+    `timestep_bound` has
 
-        dt = 4/√(4 · 2 Σk/Σk) = √2
+        κ = 2 (Σ k)/(Σ k) = 2
+        dt = 4/√(4 κ) = √2
 
     so a step of 1 leaves a margin of a factor √2. The weights keep the true
     masses.

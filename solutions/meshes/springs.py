@@ -41,20 +41,23 @@ def mesh_forces(mesh: Mesh, position: Number, velocity: Number) -> Array:
     Slide 29 prints F = (x' − x_rest) k − v k_d. With this sign the spring
     pushes the body away from its rest position, and the damper acts on all of
     the motion. Along an edge of length L and rest length L0, with the unit
-    vector u from end 2 to end 1, the force is
+    vector u from end 2 to end 1, the force on end 1 is
 
-        F = −k (L − L0) u − k_d ((v1 − v2)·u) u    on end 1, and −F on end 2
+        F = −k (L − L0) u − k_d ((v1 − v2)·u) u
 
-    The length changes at the rate (v1 − v2)·u, the part along the edge of the
-    velocity with which end 1 moves as seen from end 2. The remaining part
-    turns the edge, and no damper resists it. Leading axes of position and
-    velocity make a batch, (..., n, 3).
+    and the force on end 2 is −F. The length changes at the rate (v1 − v2)·u,
+    the part along the edge of the velocity with which end 1 moves as seen from
+    end 2. The remaining part turns the edge, and no damper resists it.
+
+    The function also takes a batch of states, (..., n, 3).
     """
     require_fit(mesh, velocity=velocity)
     u, length = edge_directions(mesh, position)
-    rate = np.einsum("...i,...i->...", across_edges(mesh, velocity), u)
-    spring = mesh.stiffness * (length - mesh.rest_length)
-    tension = spring + mesh.damping * rate
+    relative_velocity = across_edges(mesh, velocity)  # v1 − v2
+    lengthening = np.einsum("...i,...i->...", relative_velocity, u)
+    spring_tension = mesh.stiffness * (length - mesh.rest_length)
+    damper_tension = mesh.damping * lengthening
+    tension = spring_tension + damper_tension
     return onto_nodes(mesh, -tension[..., None] * u)
 
 
@@ -177,6 +180,7 @@ def onto_nodes(mesh: SpringMesh, force: Array) -> Array:
     It turns (..., m, 3) into (..., n, 3).
     """
     shape = (*force.shape[:-2], len(mesh.mass), 3)
+    # Every component of every node is one bin.
     batch = np.arange(math.prod(shape[:-2]))[:, None]
     first, second = (
         ((batch * shape[-2] + end)[..., None] * 3 + np.arange(3)).ravel()

@@ -1,4 +1,4 @@
-"""How a mesh moves: a cheap step with a limit, a dear one without."""
+"""How a mesh moves: cheap steps with a limit, costly ones without."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def mesh_step(
     Parameters
     ----------
     mesh : SpringMesh of n nodes
-    position, velocity : (n, 3), m, m/s
-    acceleration : (3,) for all nodes alike, or (n, 3), m/s²
+    position, velocity : (n, 3), p and v, m, m/s
+    acceleration : (3,) for all nodes alike, or (n, 3), a, m/s²
         It is due to everything else, such as gravity.
     dt : one number, s, positive
 
@@ -52,21 +52,23 @@ def mesh_step(
 
     Notes
     -----
-    With the force f of springs and dampers at the start of the step, the mass
-    m of a node and the other acceleration a, the step is
+    With the force f of springs and dampers at the start of the step, and the
+    mass m of a node, the step is
 
         v' = v + (f/m + a) dt
         p' = p + v' dt
 
     It is stable for a dt below `stable_timestep`. Above that limit the
-    shortest wave of the mesh grows with every step. Leading axes of position
-    and velocity make a batch, (..., n, 3), with a dt for each.
+    shortest wave of the mesh grows with every step.
+
+    The function also takes a batch of states, (..., n, 3), with a dt for each.
     """
     require_fit(mesh, velocity=velocity)
     v = held(mesh, velocity)
     force = mesh_forces(mesh, position, v)
-    a = mesh.inverse_mass[:, None] * force + held(mesh, acceleration)
-    return semi_implicit_euler(position, v, a, dt[..., None])
+    total = mesh.inverse_mass[:, None] * force + held(mesh, acceleration)
+    # There is one dt for all nodes of a mesh.
+    return semi_implicit_euler(position, v, total, dt[..., None])
 
 
 @domain
@@ -90,7 +92,7 @@ def implicit_mesh_step(
     mesh : SpringMesh of n nodes
     position : (..., n, 3), p, m, finite
     velocity : (..., n, 3), v, m/s
-    acceleration : broadcast to (..., n, 3), a, m/s²
+    acceleration : (3,) for all nodes alike, or (..., n, 3), a, m/s²
         It is due to everything else, such as gravity.
     dt : (...), s, positive and finite
     tolerance : one number, of `conjugate_gradient`
@@ -130,11 +132,10 @@ def implicit_mesh_step(
         (M + dt C + dt² K)(v' − v) = dt (f + M a − dt K v)
         p' = p + dt v'
 
-    K is clamped, because shortened springs would make the matrix indefinite. A
-    vibration of frequency ω keeps the share 1/√(1 + ω² dt²) of its amplitude
-    in each step. As the forces are linearised only once, a step knows only the
-    directions that the springs have at its start. That is why a flat cloth
-    falls freely in its first step.
+    K is clamped, because shortened springs would make the matrix indefinite.
+    As the forces are linearised only once, a step knows only the directions
+    that the springs have at its start. That is why a flat cloth falls freely
+    in its first step.
 
     Rounding limits how stiff the springs may be, as the velocities are left
     over from much larger terms dt² K v. For a mesh that turns freely, with

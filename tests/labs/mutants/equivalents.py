@@ -319,7 +319,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "tangent_point": {
         NOT_NEGATIVE: ("size for it: centre + radius[..., None] * … → centre + np.abs(radius[..., None] * …",),
     },
-    "_distance_and_way": {
+    "_distance_and_tangent": {
         NOT_NEGATIVE: ("size for it: …",),
     },
     "nearest_approach": {
@@ -477,11 +477,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "universal_gravity": {
         "Only its square is used.": ("softening: sign flipped",),
     },
-    "spring_damper_force": {NOT_NEGATIVE: ("size for it: np.linalg.norm(d, axis=-1) - rest_length → …",)},
+    "spring_damper_force": {NOT_NEGATIVE: ("size for it: length - rest_length → …",)},
     "spring_step_limit": {
-        FIRST_OF_BOTH: ("boundary: squared > critical → squared >= critical",),
+        FIRST_OF_BOTH: ("boundary: damping_squared > critical_squared → damping_squared >= critical_squared",),
         "The root is used only where the motion does not swing.": (
-            "branch dropped: np.where(overdamped, squared - critical, 0.0) → shaped(squared - critical, overdamped)",
+            "branch dropped: np.where(overdamped, …) → shaped(damping_squared - critical_squared, overdamped)",
         ),
         NOT_NEGATIVE: ("size for it: …",),
     },
