@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.domain import Number, domain, require
+from solutions.domain import Number, domain
 
 FEW = 32
 """So few boxes need no grid: it takes less time to compare them all."""
@@ -121,11 +121,11 @@ def pairs_in_grid(
 
 def _refuse_inside_out(low: Array, high: Array) -> None:
     """Refuse corners (n, 3) that are not the lower and the upper of boxes."""
-    require(
-        low.shape == high.shape and low.shape[1:] == (3,),
-        "lower and upper must both have the shape (n, 3), not"
-        f" {low.shape} and {high.shape}",
-    )
+    if low.shape != high.shape or low.shape[1:] != (3,):
+        raise ValueError(
+            "lower and upper must both have the shape (n, 3), not"
+            f" {low.shape} and {high.shape}"
+        )
     with np.errstate(over="ignore", invalid="ignore"):
         wrong = ~np.all(high - low >= 0, axis=1)  # true for NaN
     if np.any(wrong):
@@ -140,10 +140,10 @@ def _named(group: ArrayLike | None, count: int) -> Integers:
     if group is None:
         return np.zeros(count, dtype=np.int64)
     named = np.asarray(group)
-    require(
-        named.shape == (count,),
-        f"group must have the shape ({count},), not {named.shape}",
-    )
+    if named.shape != (count,):
+        raise ValueError(
+            f"group must have the shape ({count},), not {named.shape}"
+        )
     return named
 
 

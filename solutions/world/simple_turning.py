@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, positive, vector, with_shape
@@ -19,7 +20,7 @@ OneTime = Annotated[Array, with_shape(), finite]
 
 
 @domain
-def inverse_inertias(moments: Number, orientation: Quaternion) -> Array:
+def inverse_inertias(moments: Number, orientation: ArrayLike) -> Array:
     """I⁻¹ of bodies along the axes of the world, (..., 3, 3), 1/(kg m²).
 
     Along a body's own axes it has 1/moments, and 0 for an infinite one.
@@ -72,9 +73,10 @@ def rotate_by_momentum(
     """
     q, w = orientation, angular_velocity
     free = np.isfinite(moments)
-    own_w = np.vecmat(w, rotation_matrix(q))  # along the body's own axes
+    r = rotation_matrix(q)
+    own_w = np.vecmat(w, r)  # along the body's own axes
     own_momentum = np.where(free, moments, 0.0) * own_w
-    momentum = np.matvec(rotation_matrix(q), own_momentum)
+    momentum = np.matvec(r, own_momentum)
     q_after = turned(q, w * dt)
     w_after = np.matvec(inverse_inertias(moments, q_after), momentum)
     return q_after, np.where(np.all(free, axis=-1, keepdims=True), w_after, w)

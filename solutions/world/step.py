@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, of_shape, positive
-from solutions.domain import domain, require
+from solutions.domain import domain
 from solutions.impulse import world_inverse_inertia
 from solutions.world.answered import answered, driven_together, grouped
 from solutions.world.bodies import Bodies, State, fitting
@@ -74,11 +74,11 @@ def advance_world(
         another number of bodies, or an array is not finite or does not fit.
     """
     rules = known(Rules(*rules))
-    require(
-        isinstance(memory, Memory),
-        "memory must be what another step left, or a run in its attribute"
-        f" memory, or left out, not {type(memory).__name__}",
-    )
+    if not isinstance(memory, Memory):
+        raise ValueError(
+            "memory must be what another step left, or a run in its attribute"
+            f" memory, or left out, not {type(memory).__name__}"
+        )
     state, acceleration, force, torque = fitting(
         bodies, state, acceleration, force, torque
     )
