@@ -137,16 +137,17 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Only the ratios of the masses count.": ("mass: sign flipped",),
         NOT_NEGATIVE: (
             "size for it: 1 + e[i] → 1 + np.abs(e[i])",
-            "size for it: share[i] + share[i + 1] → …",
-            "size for it: … + np.abs(j * share[i + 1])",
-            "size for it: … - np.abs(j * share[i])",
+            "size for it: w[i] + w[i + 1] → …",
+            "size for it: … + np.abs(j * w[i + 1])",
+            "size for it: … - np.abs(j * w[i])",
         ),
+        "More sweeps change nothing any longer.": ("one for the other: v → w (2)", "one for the other: v → w (9)"),
     },
     "_row": {
         "Only the ratios of the masses count.": ("twice the number: 1 → 2", "half the number: 1 → 0.5"),
         NOT_NEGATIVE: (
-            "size for it: (v, share, …) → (v, np.abs(share), …",
-            "size for it: (v, share, …) → (v, share, np.abs(…",
+            "size for it: (w, …) → (np.abs(w), …",
+            "size for it: (w, …) → (w, np.abs(…",
             "size for it: count - 1 → np.abs(count) - 1",
         ),
     },
@@ -457,11 +458,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: (
             "inverse_mass of bodies: size for it",
             "… → (position, orientation, velocity, spin, np.abs(contacts[-1]), impulse)",
-        ),
-        "What cannot be moved is not moved by its weight.": (
-            "branch dropped: np.where(inverse_mass > 0, … → shaped(1 / …",
-            "boundary: inverse_mass > 0 → …",
-            "condition dropped: inverse_mass > 0 → always(…",
         ),
     },
     "advance": {
