@@ -68,7 +68,7 @@ def engines_missing(folder: Path) -> Iterator[None]:
         absent.cache_clear()
 
     for package in packages:
-        (folder / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
+        (folder / f"{package}.py").write_text(f"raise ModuleNotFoundError('not today', name={package!r})\n", "utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(folder))
         patch.setattr(distributions, "is_here", lambda module: False)
