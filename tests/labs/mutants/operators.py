@@ -20,10 +20,10 @@ OTHER_FUNCTIONS = {
     "np.arctan": ("np.tan", "np.sin", "np.cos"), "np.max": ("np.min",),
 }  # fmt: skip
 TWINS = (("a", "b"), ("COLLIDING", "SEPARATING"), ("s0", "s1"), ("time_at_front", "time_at_back"), ("start", "end"),
-         ("first", "last"), ("rebound", "slowing"), ("press", "press_rate"), ("f", "rate"), ("force", "rate"),
-         ("grip", "slip"), ("leaves", "lifts"), ("before", "dt"), ("first", "rest"), ("x", "y"),
-         ("before", "time"), ("velocity", "angular_velocity"), ("momentum", "angular_momentum"),
-         ("v", "w"), ("v", "omega"), ("v", "spin"), ("remaining", "dt"), ("remaining", "time_to_wall"),
+         ("first", "last"), ("rebound", "slowing"), ("press", "press_rate"), ("force", "force_rate"),
+         ("along", "along_rate"), ("slides", "lifts"), ("grip", "slip"), ("before", "dt"), ("before", "time_of_impact"),
+         ("x", "y"), ("velocity", "angular_velocity"), ("velocity", "plane_velocity"), ("velocity", "spin"),
+         ("momentum", "angular_momentum"), ("v", "w"), ("remaining", "dt"), ("remaining", "time_to_wall"),
          ("dt", "duration"), ("x", "wall"))  # fmt: skip
 """Names that are mistaken for one another, besides those that differ in their ending alone."""
 ENDINGS = (("_a", "_b"), ("_0", "_1"), ("_x", "_y"), ("_static", "_kinetic"))
