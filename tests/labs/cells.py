@@ -8,9 +8,9 @@ from pathlib import Path
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 DETECTION = tuple(f"detection/{name}" for name in ("planes", "time_of_impact", "two_walls", "sampling"))
-CELLS = (("arrays", "checks"), DETECTION)
+CELLS = (("arrays", "checks", "domain", "vectors"), DETECTION)
 """The modules of each cell: what is given, and what is written."""
-OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
+OURS = re.compile(r"^from (solutions|__future__)[\w.]* import (\([^)]*\)|.*)\n", re.MULTILINE)
 SIDE = (
     "def side_of_plane(separation, tolerance=0.0):\n"
     "    return (separation > tolerance) * 1 - (separation < -tolerance) * 1"

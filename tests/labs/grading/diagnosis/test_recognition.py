@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import re
 
 import numpy as np
@@ -315,5 +316,5 @@ def test_the_names_of_parameters_are_those_of_the_solutions(topic):
     module = importlib.import_module(f"solutions.{topic}")
     for entry in lecture.functions_of(topic):
         if entry.role == "written":
-            code = getattr(module, entry.name).__code__
+            code = inspect.unwrap(getattr(module, entry.name)).__code__
             assert fingerprints.known(entry.name).parameters == code.co_varnames[: code.co_argcount]
