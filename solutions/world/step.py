@@ -43,7 +43,8 @@ def advance_world(
     state: State,
     acceleration: ArrayLike,
     dt: Timestep,
-    rules: Rules | tuple[float | str, ...] = Rules(),  # noqa: B008  (an immutable tuple)
+    # Rules is an immutable tuple.
+    rules: Rules | tuple[float | str, ...] = Rules(),  # noqa: B008
     memory: Memory = NOTHING,
     force: ArrayLike = (0.0, 0.0, 0.0),
     torque: ArrayLike = (0.0, 0.0, 0.0),
