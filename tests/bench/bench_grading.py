@@ -32,7 +32,7 @@ from reference.errors import RunFailed
 ROOT = Path(__file__).resolve().parents[2]
 TESTS = [ROOT / "tests" / "autograder" / folder / "test_impulse.py" for folder in ("visible", "hidden")]
 TOPIC = ("body", "points", "normals", "inertia", "momentum", "impact", "auditing")
-SOLUTIONS = ("arrays", "checks", *(f"impulse/{name}" for name in TOPIC))
+SOLUTIONS = ("arrays", "checks", "domain", "vectors", *(f"impulse/{name}" for name in TOPIC))
 NUMPY = f"numpy=={np.__version__}"
 OTTER = Environment("otter", ("otter-grader==7.0.0", "ipykernel", NUMPY))
 NBGRADER = Environment("nbgrader", ("nbgrader==0.9.6", NUMPY))

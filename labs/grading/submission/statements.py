@@ -128,7 +128,13 @@ def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.Symbol
 
 
 def _read_by_decorators(node: ast.AST) -> Iterator[str]:
-    """The names in the type hints of a decorated function: its decorator may look them up, as `domain` does."""
+    """The names in the type hints of a decorated function: its decorator may look them up, as `domain` does.
+
+    So it is for the methods of a class.
+    """
+    if isinstance(node, ast.ClassDef):
+        for method in node.body:
+            yield from _read_by_decorators(method)
     if isinstance(node, ast.FunctionDef) and node.decorator_list:
         given = node.args
         arguments = [*given.posonlyargs, *given.args, *given.kwonlyargs, given.vararg, given.kwarg]

@@ -72,7 +72,8 @@ def with_wrong(solution: str, numbered: str, source: str) -> str:
     """The whole solved file with one function replaced."""
     name, lines = plain_name(numbered), solution.splitlines()
     (right,) = (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef) and node.name == name)
-    lines[right.lineno - 1 : right.end_lineno] = ["import math", "import numpy as np", "", "", source]
+    first = min([right.lineno, *(each.lineno for each in right.decorator_list)])
+    lines[first - 1 : right.end_lineno] = ["import math", "import numpy as np", "", "", source]
     return "\n".join(lines)
 
 
