@@ -26,7 +26,7 @@ _SECTION = re.compile(r"^### (?:\d+\. )?(.+)$", re.MULTILINE)
 
 
 EXAMPLES = 4
-"""So many known mistakes of a function are named. The bank begins with the slide's own and the most obvious ones."""
+"""So many known mistakes of a function are named, the first ones of the bank. No class has been counted."""
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ def installed(names: Sequence[str], module: str) -> Distribution | None:
     """The distribution among these that is installed, in this order; else any other that says it has the module.
 
     Where several are, they have written the same file, and the last one's is there: the one whose hash it has. None
-    where the module was put there without one, as by whoever builds it.
+    where the module was put there without one, as after a build by hand.
     """
     found = [each for name in names if (each := _known(name)) is not None]
     if not found:
